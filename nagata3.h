@@ -703,7 +703,7 @@ NAGATA3_API n3_vec n3_patch_centre_arc(const n3_edge *ab, const n3_edge *bc, con
                                        const n3_vec n[3], const n3_vec mid[3])
 {
     const n3_edge *e[3];
-    n3_vec x[3], C, N = n3_unit(n3_add(n3_add(n[0], n[1]), n[2]));
+    n3_vec x[3], C, ne, qe, N = n3_unit(n3_add(n3_add(n[0], n[1]), n[2]));
     n3_real rc = 0, cc = 0;
     int i;
     e[0] = ab;
@@ -712,13 +712,11 @@ NAGATA3_API n3_vec n3_patch_centre_arc(const n3_edge *ab, const n3_edge *bc, con
     for (i = 0; i < 3; i++) x[i] = e[i]->p[0];
     C = n3i_centre_cubic(x, n, n3_patch_centre(ab, bc, ca));
     for (i = 0; i < 3; i++) {
-        const n3_vec *p = e[i]->p;
         int j = (i + 1) % 3, k = (i + 2) % 3;
-        n3_vec t = n3_unit(n3_add(n3_sub(p[3], p[0]), n3_sub(p[2], p[1])));
-        n3_vec ne = n3i_across(n3_unit(mid ? mid[i] : n3_add(n[i], n[j])), t);
-        n3_vec middle = n3_add(n3_add(p[0], p[3]), n3_mul(3, n3_add(p[1], p[2])));
-        n3_vec facing = n3_add(e[j]->p[1], e[k]->p[2]);
-        n3_vec qe = n3_sub(n3_mul((n3_real)1 / 4, middle), n3_mul((n3_real)1 / 2, facing));
+        n3_curve_jet middle = n3_edge_jet(e[i], (n3_real)1 / 2);
+        n3_vec facing = n3_mul((n3_real)1 / 2, n3_add(e[j]->p[1], e[k]->p[2]));
+        qe = n3_sub(n3_mul(2, middle.x), facing);
+        ne = n3i_across(n3_unit(mid ? mid[i] : n3_add(n[i], n[j])), n3_unit(middle.dt));
         rc += n3_dot(ne, n3_sub(qe, C)) * n3_dot(ne, N);
         cc += n3_dot(ne, N) * n3_dot(ne, N);
     }
@@ -854,27 +852,32 @@ NAGATA3_API n3_vec n3i_net_area(const n3_vec q[10])
     return area;
 }
 
-/* With D the derivative towards the centroid, du x dv becomes D du x dv + du x D dv when it
-   vanishes itself, and D du x D dv when du and dv do. */
-NAGATA3_API n3_vec n3_patch_normal(const n3_patch *p, n3_real u, n3_real v)
+/* The patch with p003 in the origin and size 1, so that products neither overflow nor underflow. */
+NAGATA3_API n3_patch n3i_patch_boxed(const n3_patch *p)
 {
     n3_patch q;
-    n3_jet j;
-    n3_real size = 0, first, second, a = (n3_real)1 / 3 - u, b = (n3_real)1 / 3 - v;
-    n3_vec n, Ddu, Ddv;
+    n3_real size = 0;
     int i;
     for (i = 0; i < 10; i++) q.p[i] = n3_sub(p->p[i], p->p[0]);
     for (i = 0; i < 10; i++) size = n3i_larger(size, n3i_largest(q.p[i]));
     for (i = 0; i < 10; i++) q.p[i] = size > 0 ? n3i_over(q.p[i], size) : q.p[i];
-    j = n3_patch_jet(&q, u, v);
-    first = n3_len(j.du) + n3_len(j.dv);
-    n = n3i_clear(n3_cross(j.du, j.dv), first);
+    return q;
+}
+
+/* With D the derivative towards the centroid, du x dv becomes D du x dv + du x D dv where it
+   vanishes itself, and D du x D dv where du and dv do. */
+NAGATA3_API n3_vec n3_patch_normal(const n3_patch *p, n3_real u, n3_real v)
+{
+    n3_patch q = n3i_patch_boxed(p);
+    n3_jet j = n3_patch_jet(&q, u, v);
+    n3_real a = (n3_real)1 / 3 - u, b = (n3_real)1 / 3 - v, size = n3_len(j.du) + n3_len(j.dv);
+    n3_vec Ddu, Ddv, n = n3i_clear(n3_cross(j.du, j.dv), size);
     if (!n3i_is_zero(n)) return n;
     Ddu = n3_add(n3_mul(a, j.duu), n3_mul(b, j.duv));
     Ddv = n3_add(n3_mul(a, j.duv), n3_mul(b, j.dvv));
-    second = first + n3_len(Ddu) + n3_len(Ddv);
-    n = n3i_clear(n3_add(n3_cross(Ddu, j.dv), n3_cross(j.du, Ddv)), second);
-    if (n3i_is_zero(n)) n = n3i_clear(n3_cross(Ddu, Ddv), second);
+    size += n3_len(Ddu) + n3_len(Ddv);
+    n = n3i_clear(n3_add(n3_cross(Ddu, j.dv), n3_cross(j.du, Ddv)), size);
+    if (n3i_is_zero(n)) n = n3i_clear(n3_cross(Ddu, Ddv), size);
     if (n3i_is_zero(n)) n = n3i_clear(n3_cross(q.p[1], q.p[2]), 1);
     if (n3i_is_zero(n)) n = n3i_clear(n3i_net_area(q.p), 1);
     return n;
