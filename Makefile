@@ -1,0 +1,91 @@
+# nagata3 needs a C99 compiler, GNU make and sh. What is built lies below $(BUILD).
+CC     ?= cc
+CXX    ?= c++
+CFLAGS ?= -O2
+PREFIX ?= /usr/local
+BUILD   = build
+
+COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic -I. $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@
+PROGRAMS = $(addprefix $(BUILD)/,smooth demo_mesh 01_point figure7 bench_double bench_float)
+TESTS    = $(addprefix $(BUILD)/,test_double test_float)
+TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c))
+SMOOTH   = $(wildcard examples/smooth*.c examples/mesh_*.c)
+HEADERS  = $(wildcard nagata3.h tests/*.h examples/*.h)
+VERSION  = $(shell sed -n 's/^.define NAGATA3_VERSION "\(.*\)"/\1/p' nagata3.h)
+LIB      = $(DESTDIR)$(PREFIX)/lib
+
+all: $(PROGRAMS)  ## the programs; this is what make alone does
+
+demo: $(BUILD)/smooth $(BUILD)/demo_mesh  ## smooth a small mesh into build/demo.vtu, build/demo.obj
+	$(BUILD)/demo_mesh > $(BUILD)/demo_in.obj
+	$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.obj
+	$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.vtu
+
+test: $(TESTS) $(BUILD)/smooth  ## all tests, in double and in float; N3_SAMPLES=n scales them
+	@sh tests/run.sh $(TESTS) "sh tests/smooth_test.sh $(BUILD)/smooth"
+
+ledger:  ## every equation that the header cites has its test, and the reverse
+	@sh tests/ledger.sh
+
+dialects:  ## the header alone, in every dialect of CC and CXX
+	@CC="$(CC)" CXX="$(CXX)" sh tests/compile/run.sh $(BUILD)/dialects
+
+mutants:  ## break the header in 60 places, the tests must notice; MUTANTS=--all for everywhere
+	@CC="$(CC)" python3 tests/mutants.py $(MUTANTS)
+
+bench: $(BUILD)/bench_double $(BUILD)/bench_float  ## what each call costs, beside the plain way
+	@$(BUILD)/bench_double $(ROUNDS) && $(BUILD)/bench_float $(ROUNDS)
+
+golden: $(BUILD)/golden.csv  ## compute tests/golden.csv anew, in __float128
+	cp $(BUILD)/golden.csv tests/golden.csv
+
+figures: $(BUILD)/figure7.svg  ## draw the README's picture anew
+	cp $(BUILD)/figure7.svg examples/figure7.svg
+
+install:  ## the header, with what pkg-config and CMake need, below $(DESTDIR)$(PREFIX)
+	mkdir -p $(DESTDIR)$(PREFIX)/include $(LIB)/pkgconfig $(LIB)/cmake/nagata3
+	cp nagata3.h $(DESTDIR)$(PREFIX)/include/
+	printf '%s\n' 'Name: nagata3' 'Description: cubic Nagata patches' 'Version: $(VERSION)' \
+	    'Cflags: -I$(PREFIX)/include' 'Libs: -lm' > $(LIB)/pkgconfig/nagata3.pc
+	printf '%s\n' 'if(NOT TARGET nagata3::nagata3)' \
+	    '  add_library(nagata3::nagata3 INTERFACE IMPORTED)' \
+	    '  set_target_properties(nagata3::nagata3 PROPERTIES INTERFACE_INCLUDE_DIRECTORIES' \
+	    '    "$${CMAKE_CURRENT_LIST_DIR}/../../../include")' \
+	    '  if(UNIX)' \
+	    '    set_target_properties(nagata3::nagata3 PROPERTIES INTERFACE_LINK_LIBRARIES m)' \
+	    '  endif()' 'endif()' > $(LIB)/cmake/nagata3/nagata3-config.cmake
+	printf '%s\n' 'set(PACKAGE_VERSION $(VERSION))' \
+	    'if(NOT PACKAGE_FIND_VERSION VERSION_GREATER PACKAGE_VERSION)' \
+	    '  set(PACKAGE_VERSION_COMPATIBLE TRUE)' 'endif()' \
+	    'if(PACKAGE_FIND_VERSION VERSION_EQUAL PACKAGE_VERSION)' \
+	    '  set(PACKAGE_VERSION_EXACT TRUE)' \
+	    'endif()' > $(LIB)/cmake/nagata3/nagata3-config-version.cmake
+
+help:  ## this list
+	@sed -n 's/^\([a-z]*\):.*  ## \(.*\)/\1:\2/p' Makefile | \
+	    while IFS=: read -r name what; do printf '%-9s %s\n' "$$name" "$$what"; done
+
+clean:  ## remove what was built
+	rm -rf $(BUILD)
+
+$(BUILD)/test_double $(BUILD)/test_float: $(TEST_SRC)
+	$(COMPILE) -Itests $(TEST_SRC) -lm
+$(BUILD)/smooth: $(SMOOTH)
+	$(COMPILE) $(SMOOTH) -lm
+$(BUILD)/bench_double $(BUILD)/bench_float: bench/bench.c
+	$(COMPILE) $< -lm
+$(BUILD)/golden_gen: tests/golden_gen.c
+	$(CC) -O2 -o $@ $< -lquadmath -lm
+$(BUILD)/%: examples/%.c
+	$(COMPILE) $< -lm
+$(BUILD)/%.csv: $(BUILD)/%_gen
+	$< > $@.part && mv $@.part $@
+$(BUILD)/%.svg: $(BUILD)/%
+	$< > $@.part && mv $@.part $@
+
+$(BUILD)/%_float: CPPFLAGS += -DNAGATA3_FLOAT
+$(PROGRAMS) $(TESTS) $(BUILD)/golden_gen: $(HEADERS) | $(BUILD)
+$(BUILD):
+	mkdir -p $@
+
+.PHONY: all demo test ledger dialects mutants bench golden figures install help clean

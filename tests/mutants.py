@@ -1,0 +1,192 @@
+#!/usr/bin/env python3
+"""Breaks nagata3.h in one place at a time and runs the tests: they must notice.
+
+A mutant is the header with one operator or one number changed in the body of a function. Each
+file of tests is built against it and run by itself, in double, then in float, until one of them
+fails, crashes or hangs. A mutant that does not compile does not count; another one is drawn.
+tests/mutants.txt lists the mutants that cannot be told from the header, each with the reason.
+Exit status 1: another mutant survived, or a line of that list fits none.
+"""
+
+import argparse
+import concurrent.futures
+import functools
+import os
+import pathlib
+import random
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+ALLOWED = ROOT / "tests/mutants.txt"
+PRECISIONS = ("-UNAGATA3_FLOAT", "-DNAGATA3_FLOAT")
+SWAPS = {
+    "+": "-", "-": "+", "*": "/", "/": "*", "%": "/", "+=": "-=", "-=": "+=", "*=": "/=",
+    "/=": "*=", "<": "<=", "<=": "<", ">": ">=", ">=": ">", "==": "!=", "!=": "==", "&&": "||",
+    "||": "&&", "!": "", "&": "|", "|": "&", "<<": ">>", ">>": "<<",
+}
+TOKEN = re.compile(r"->|\+\+|--|<<=|>>=|<<|>>|[-+*/%&|<>=!]=|&&|\|\||\w+(?:\.\w*)?|\S")
+TYPE = r"\b(?:n3i?_\w+|int|char|unsigned|const)"
+
+
+def functions(text):
+    """(name, offset, body) of every function; comments and directives do not belong to a body."""
+    blank = functools.partial(re.sub, r"[^\n]", " ")
+    text = re.sub(r"/\*.*?\*/", lambda m: blank(m.group()), text, flags=re.S)
+    text = re.sub(r"^[ \t]*#(?:.*\\\n)*.*$", lambda m: blank(m.group()), text, flags=re.M)
+    for head in re.finditer(r"\b(n3i?_\w+)\s*\([^;{}]*\)\s*\{", text):
+        depth, end = 1, head.end()
+        while depth:
+            depth += {"{": 1, "}": -1}.get(text[end], 0)
+            end += 1
+        yield head.group(1), head.end(), text[head.end() : end - 1]
+
+
+def declares(before, token):
+    """The token is part of a declaration: a pointer's star or an array's size."""
+    if token == "*":
+        return re.search(TYPE + r"\s*$", before)
+    return token.isdigit() and re.search(TYPE + r"\s[^;()=]*\[$", before)
+
+
+def places(text):
+    """(function, offset, old, new) of everything that can be changed."""
+    for name, offset, body in functions(text):
+        for match in TOKEN.finditer(body):
+            token = match.group()
+            new = str(int(token) + 1) if token.isdigit() else SWAPS.get(token)
+            if new is not None and not declares(body[: match.start()], token):
+                yield name, offset + match.start(), token, new
+
+
+class Mutant:
+    def __init__(self, text, place):
+        name, offset, old, new = place
+        number = text.count("\n", 0, offset)
+        self.text = text[:offset] + new + text[offset + len(old) :]
+        self.key = name + ": " + self.text.split("\n")[number].strip()
+        self.title = f"nagata3.h:{number + 1}: {old} to {new or 'nothing'} in {self.key}"
+
+
+class Tests:
+    """The files of tests; one at a time, with empty tables in place of the others."""
+
+    def __init__(self, folder, compiler, samples):
+        self.folder, self.compiler = folder, compiler
+        self.environment = dict(os.environ, N3_SAMPLES=str(samples))
+        self.tables = sorted(set(re.findall(r"\btests_\w+", (ROOT / "tests/check.c").read_text())))
+        self.kills = dict.fromkeys(self.tables, 0)
+        self.seconds = {}
+        for table in self.tables:
+            empty = "".join(
+                f"const test_case {t}[] = {{{{0, 0}}}};\n" for t in self.tables if t != table
+            )
+            source = f'#include "{ROOT}/tests/{table[6:]}.c"\n{empty}'
+            (folder / f"{table}.c").write_text(source)
+        for precision in PRECISIONS:
+            self.compile(ROOT, precision, "-c", "tests/check.c", "-o", folder / f"check{precision}")
+
+    def compile(self, include, *arguments):
+        flags = ["-std=c99", "-O1", "-w", f"-I{include}", "-Itests", "-x", "c"]
+        command = [*self.compiler, *flags, *map(str, arguments)]
+        return subprocess.run(command, cwd=ROOT, capture_output=True).returncode == 0
+
+    def passes(self, include, table, precision):
+        """True, False, or None where the test does not compile."""
+        program = include / f"{table}{precision}"
+        source, harness = self.folder / f"{table}.c", self.folder / f"check{precision}"
+        if not self.compile(include, precision, source, "-x", "none", harness, "-o", program, "-lm"):
+            return None
+        limit = 10 * self.seconds.get((table, precision), 0) + 20
+        start = time.monotonic()
+        try:
+            done = subprocess.run([program], cwd=ROOT, env=self.environment, timeout=limit,
+                                  capture_output=True)
+        except subprocess.TimeoutExpired:
+            return False
+        self.seconds.setdefault((table, precision), time.monotonic() - start)
+        return done.returncode == 0
+
+    def survives(self, mutant):
+        """True, False, or None where the mutant does not compile. The best killers go first."""
+        with tempfile.TemporaryDirectory(dir=self.folder) as name:
+            include = pathlib.Path(name)
+            (include / "nagata3.h").write_text(mutant.text)
+            for precision in PRECISIONS:
+                for table in sorted(self.tables, key=lambda t: -self.kills[t]):
+                    passes = self.passes(include, table, precision)
+                    if passes is None:
+                        return None
+                    if not passes:
+                        self.kills[table] += 1
+                        return False
+        return True
+
+
+def allowed():
+    """The explained mutants: lines 'function: the changed line  # reason'."""
+    if not ALLOWED.exists():
+        return set()
+    lines = [line for line in ALLOWED.read_text().splitlines() if line.strip() and line[0] != "#"]
+    return {line.partition("  # ")[0].strip() for line in lines}
+
+
+def survivors(mutants, tests, count, jobs):
+    """The survivors among the first count mutants that compile, and how many there were."""
+    found, tried, mutants = [], 0, iter(mutants)
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        while tried < count:
+            batch = [m for m, _ in zip(mutants, range(count - tried))]
+            if not batch:
+                break
+            for mutant, survived in zip(batch, pool.map(tests.survives, batch)):
+                tried += survived is not None
+                if survived:
+                    found.append(mutant)
+                    print("survived", mutant.title, flush=True)
+    return found, tried
+
+
+def arguments():
+    parser = argparse.ArgumentParser(description="Break nagata3.h; the tests must notice.")
+    parser.add_argument("--count", type=int, default=60, help="mutants to try (60)")
+    parser.add_argument("--all", action="store_true", help="try every one")
+    parser.add_argument("--seed", type=int, default=1, help="which ones (1)")
+    parser.add_argument("--jobs", type=int, default=2, help="at the same time (2)")
+    parser.add_argument("--samples", type=int, default=2000, help="N3_SAMPLES of the tests (2000)")
+    parser.add_argument("--function", default="", help="only in functions of such a name")
+    return parser.parse_args()
+
+
+def main():
+    options = arguments()
+    text = (ROOT / "nagata3.h").read_text()
+    mutants = [Mutant(text, place) for place in places(text)]
+    explained = allowed()
+    stale = explained - {mutant.key for mutant in mutants}
+    for key in sorted(stale):
+        print(f"{ALLOWED.name}: there is no such mutant: {key}")
+    mutants = [mutant for mutant in mutants if options.function in mutant.key.partition(":")[0]]
+    if not options.all:
+        random.Random(options.seed).shuffle(mutants)
+    count = len(mutants) if options.all else options.count
+    with tempfile.TemporaryDirectory() as name:
+        compiler = shlex.split(os.environ.get("CC", "cc"))
+        tests = Tests(pathlib.Path(name), compiler, options.samples)
+        for table in tests.tables:
+            for precision in PRECISIONS:
+                if not tests.passes(ROOT, table, precision):
+                    sys.exit(f"mutants.py: {table} fails on the header as it is ({precision})")
+        found, tried = survivors(mutants, tests, count, options.jobs)
+    unexplained = [mutant for mutant in found if mutant.key not in explained]
+    print(f"{tried} of {len(mutants)} mutants: {tried - len(found)} killed, {len(found)} survived, "
+          f"{len(found) - len(unexplained)} of them explained")
+    sys.exit(1 if unexplained or stale else 0)
+
+
+if __name__ == "__main__":
+    main()
