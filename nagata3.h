@@ -855,7 +855,7 @@ NAGATA3_API n3_vec n3i_net_area(const n3_vec q[10])
 /* The patch with p003 in the origin and size 1, so that products neither overflow nor underflow. */
 NAGATA3_API n3_patch n3i_patch_boxed(const n3_patch *p)
 {
-    n3_patch q;
+    n3_patch q = *p;
     n3_real size = 0;
     int i;
     for (i = 0; i < 10; i++) q.p[i] = n3_sub(p->p[i], p->p[0]);
