@@ -99,7 +99,8 @@ class Tests:
         """True, False, or None where the test does not compile."""
         program = include / f"{table}{precision}"
         source, harness = self.folder / f"{table}.c", self.folder / f"check{precision}"
-        if not self.compile(include, precision, source, "-x", "none", harness, "-o", program, "-lm"):
+        objects = ("-x", "none", harness, "-o", program, "-lm")
+        if not self.compile(include, precision, source, *objects):
             return None
         limit = 10 * self.seconds.get((table, precision), 0) + 20
         start = time.monotonic()
