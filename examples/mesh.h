@@ -1,0 +1,70 @@
+/* mesh.h: a mesh of triangles in memory, and the files that it comes from and goes to.
+ *
+ * What goes wrong ends the program: fail() prints "program: file:line: reason" and exits with 1.
+ * An output file appears whole, under its name, or not at all. */
+#ifndef MESH_H
+#define MESH_H
+
+#include "nagata3.h"
+
+#include <stdio.h>
+
+typedef struct mesh {
+    int points, triangles, normals;
+    n3_vec *point;
+    int *triangle;  /* three points each */
+    n3_vec *normal; /* as in the file, of any length */
+    int *corner;    /* three normals each, negative where there is none */
+    int *group;     /* of each triangle, the smoothing group; 0: none */
+    int grouped;    /* some group is not 0 */
+    int polygons;   /* with more than three corners, split */
+    int joined;     /* points that equal another one */
+    int welded;     /* points that lie within the tolerance of another one */
+    int collapsed;  /* triangles left out: two of their corners are one point */
+    int unused;     /* points left out: in no triangle */
+    n3_real reach;  /* the tolerance, a length */
+} mesh;
+
+/* Defined by each program: its name, which begins its messages. */
+extern const char program[];
+
+/* line 0: the reason stands for the whole file. Does not return. */
+void fail(const char *file, long line, const char *format, ...);
+
+/* Memory, or the end of the program. room() returns the array with place for one more element; it
+   moves when count is a power of two. No array has more than INT_MAX / 3 elements. */
+void *allocate(size_t count, size_t size);
+void *room(void *array, int count, size_t size);
+
+/* A whole file with a zero byte behind it. */
+char *file_read(const char *path, size_t *size);
+
+/* A file under a temporary name in the same folder; closing gives it its name. */
+FILE *output_open(const char *path);
+void output_close(void);
+
+/* True if the name ends in the extension, such as ".obj", in any case. */
+int has_extension(const char *path, const char *extension);
+
+/* OBJ: points, normals, faces of any number of corners, smoothing groups.
+   STL: ASCII or binary; three points of its own for each triangle. */
+void mesh_read(const char *path, mesh *m);
+void mesh_read_obj(const char *path, char *data, size_t size, mesh *m);
+void mesh_read_stl(const char *path, char *data, size_t size, mesh *m);
+void mesh_free(mesh *m);
+
+/* Adds a triangle, its corners without normals, in group 0. */
+void mesh_add_triangle(mesh *m, int a, int b, int c);
+
+/* Joins points: equal ones, then those within relative times the diagonal of the bounding box to
+   the nearest point that is kept, in the order of the file. Then leaves out the triangles that
+   have collapsed and the points in no triangle. */
+void mesh_join(mesh *m, n3_real relative);
+
+/* Numbers are written with as many digits as bring back the same bits. */
+void write_number(FILE *f, n3_real x);
+void write_vec(FILE *f, n3_vec a);
+void mesh_write_obj(FILE *f, const mesh *m);
+void mesh_write_stl(FILE *f, const mesh *m);
+
+#endif
