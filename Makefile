@@ -6,10 +6,10 @@ PREFIX ?= /usr/local
 BUILD   = build
 
 COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic -I. $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@
-PROGRAMS = $(addprefix $(BUILD)/,smooth demo_mesh 01_point figure7 bench_double bench_float)
+PROGRAMS = $(addprefix $(BUILD)/,smooth demo_mesh 01_point figure7 facts bench_double bench_float)
 TESTS    = $(addprefix $(BUILD)/,test_double test_float)
 TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c))
-SMOOTH   = $(wildcard examples/smooth*.c examples/mesh_*.c)
+SMOOTH   = $(wildcard examples/smooth*.c examples/mesh*.c)
 HEADERS  = $(wildcard nagata3.h tests/*.h examples/*.h)
 VERSION  = $(shell sed -n 's/^.define NAGATA3_VERSION "\(.*\)"/\1/p' nagata3.h)
 LIB      = $(DESTDIR)$(PREFIX)/lib
@@ -36,6 +36,9 @@ mutants:  ## break the header in 60 places, the tests must notice; MUTANTS=--all
 bench: $(BUILD)/bench_double $(BUILD)/bench_float  ## what each call costs, beside the plain way
 	@$(BUILD)/bench_double $(ROUNDS) && $(BUILD)/bench_float $(ROUNDS)
 
+facts: $(BUILD)/facts  ## the README's figures
+	@$(BUILD)/facts
+
 golden: $(BUILD)/golden.csv  ## compute tests/golden.csv anew, in __float128
 	cp $(BUILD)/golden.csv tests/golden.csv
 
@@ -45,8 +48,8 @@ figures: $(BUILD)/figure7.svg  ## draw the README's picture anew
 install:  ## the header, with what pkg-config and CMake need, below $(DESTDIR)$(PREFIX)
 	mkdir -p $(DESTDIR)$(PREFIX)/include $(LIB)/pkgconfig $(LIB)/cmake/nagata3
 	cp nagata3.h $(DESTDIR)$(PREFIX)/include/
-	printf '%s\n' 'Name: nagata3' 'Description: cubic Nagata patches' 'Version: $(VERSION)' \
-	    'Cflags: -I$(PREFIX)/include' 'Libs: -lm' > $(LIB)/pkgconfig/nagata3.pc
+	printf '%s\n' 'prefix=$(PREFIX)' 'Name: nagata3' 'Description: cubic Nagata patches' \
+	    'Version: $(VERSION)' 'Cflags: -I$${prefix}/include' 'Libs: -lm' > $(LIB)/pkgconfig/nagata3.pc
 	printf '%s\n' 'if(NOT TARGET nagata3::nagata3)' \
 	    '  add_library(nagata3::nagata3 INTERFACE IMPORTED)' \
 	    '  set_target_properties(nagata3::nagata3 PROPERTIES INTERFACE_INCLUDE_DIRECTORIES' \
@@ -74,6 +77,8 @@ $(BUILD)/smooth: $(SMOOTH)
 	$(COMPILE) $(SMOOTH) -lm
 $(BUILD)/bench_double $(BUILD)/bench_float: bench/bench.c
 	$(COMPILE) $< -lm
+$(BUILD)/facts: bench/facts.c
+	$(COMPILE) $< -lm
 $(BUILD)/golden_gen: tests/golden_gen.c
 	$(CC) -O2 -o $@ $< -lquadmath -lm
 $(BUILD)/%: examples/%.c
@@ -88,4 +93,4 @@ $(PROGRAMS) $(TESTS) $(BUILD)/golden_gen: $(HEADERS) | $(BUILD)
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test ledger dialects mutants bench golden figures install help clean
+.PHONY: all demo test ledger dialects mutants bench facts golden figures install help clean
