@@ -87,8 +87,15 @@ class Tests:
             )
             source = f'#include "{ROOT}/tests/{table[6:]}.c"\n{empty}'
             (folder / f"{table}.c").write_text(source)
+        shared = {p.stem for p in (ROOT / "tests").glob("*.c")} - {"golden_gen"}
+        shared -= {table[6:] for table in self.tables}
+        self.harness = {
+            precision: [folder / f"{name}{precision}.o" for name in sorted(shared)]
+            for precision in PRECISIONS
+        }
         for precision in PRECISIONS:
-            self.compile(ROOT, precision, "-c", "tests/check.c", "-o", folder / f"check{precision}")
+            for name, out in zip(sorted(shared), self.harness[precision]):
+                self.compile(ROOT, precision, "-c", f"tests/{name}.c", "-o", out)
 
     def compile(self, include, *arguments):
         flags = ["-std=c99", "-O1", "-w", f"-I{include}", "-Itests", "-x", "c"]
@@ -98,9 +105,8 @@ class Tests:
     def passes(self, include, table, precision):
         """True, False, or None where the test does not compile."""
         program = include / f"{table}{precision}"
-        source, harness = self.folder / f"{table}.c", self.folder / f"check{precision}"
-        objects = ("-x", "none", harness, "-o", program, "-lm")
-        if not self.compile(include, precision, source, *objects):
+        objects = ["-x", "none", *self.harness[precision], "-lm"]
+        if not self.compile(include, precision, self.folder / f"{table}.c", *objects, "-o", program):
             return None
         limit = 10 * self.seconds.get((table, precision), 0) + 20
         start = time.monotonic()
