@@ -21,8 +21,8 @@ demo: $(BUILD)/smooth $(BUILD)/demo_mesh  ## smooth a small mesh into build/demo
 	$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.obj
 	$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.vtu
 
-test: $(TESTS) $(BUILD)/smooth  ## all tests, in double and in float; N3_SAMPLES=n scales them
-	@sh tests/run.sh $(TESTS) "sh tests/smooth_test.sh $(BUILD)/smooth"
+test: $(TESTS) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests, in double and in float; N3_SAMPLES=n scales them
+	@sh tests/run.sh $(TESTS) "sh tests/smooth_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
 
 ledger:  ## every equation that the header cites has its test, and the reverse
 	@sh tests/ledger.sh

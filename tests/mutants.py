@@ -30,6 +30,7 @@ SWAPS = {
     "||": "&&", "!": "", "&": "|", "|": "&", "<<": ">>", ">>": "<<",
 }
 TOKEN = re.compile(r"->|\+\+|--|<<=|>>=|<<|>>|[-+*/%&|<>=!]=|&&|\|\||\w+(?:\.\w*)?|\S")
+FLAGS = "-std=c99 -O1 -w -Itests -fsanitize=bounds -fsanitize-undefined-trap-on-error -x c".split()
 TYPE = r"\b(?:n3i?_\w+|int|char|unsigned|const)"
 
 
@@ -98,8 +99,7 @@ class Tests:
                 self.compile(ROOT, precision, "-c", f"tests/{name}.c", "-o", out)
 
     def compile(self, include, *arguments):
-        flags = ["-std=c99", "-O1", "-w", f"-I{include}", "-Itests", "-x", "c"]
-        command = [*self.compiler, *flags, *map(str, arguments)]
+        command = [*self.compiler, f"-I{include}", *FLAGS, *map(str, arguments)]
         return subprocess.run(command, cwd=ROOT, capture_output=True).returncode == 0
 
     def passes(self, include, table, precision):

@@ -2,7 +2,6 @@
 # run.sh DIRECTORY, from the top of the project: the header alone, in every dialect of CC and CXX
 # and in both precisions, with the strictest warnings as errors; then twice in one file, in several
 # files of one program, in both precisions in one program, and without a C library.
-# shellcheck disable=SC2086 # compilers and flags are lists of words
 cc=${CC:-cc} cxx=${CXX:-c++} out=$1
 strict="-O1 -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow -Wdouble-promotion
     -Wfloat-equal -Werror -I."
