@@ -18,8 +18,10 @@ enum { K = 14, MAX_IN = 64, MAX_OUT = 24 };
 /* The rows that must at least be there. */
 #define ROWS (sizeof(n3_real) == sizeof(float) ? 580 : 780)
 
-/* What the header claims where the condition is at most WELL: the error, in eps of the size. */
-enum { WELL = 100, CLAIM = 4 };
+/* Most bounds are far above what happens. So that a loss of accuracy shows all the same: where the
+ * condition is at most WELL, all errors are below CLAIM eps of the size (most, 6, in the second
+ * derivatives, sums of six control points). */
+enum { WELL = 100, CLAIM = 8 };
 
 typedef struct row {
     const char *kind;

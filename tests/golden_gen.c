@@ -263,7 +263,7 @@ static weights at(quad u, quad v)
 }
 
 /* Where b^i c^j a^k stands in the order of the control points. */
-static int place(int degree, int i, int j)
+static int slot(int degree, int i, int j)
 {
     static const int cubic[4][4] = {{0, 8, 7, 2}, {3, 9, 6, 0}, {4, 5, 0, 0}, {1, 0, 0, 0}};
     static const int quadratic[3][3] = {{0, 5, 2}, {3, 4, 0}, {1, 0, 0}};
@@ -276,7 +276,7 @@ static vec blossom(const vec *net, int degree, const weights *s)
     vec q[4][4];
     int step, i, j;
     for (i = 0; i <= degree; i++)
-        for (j = 0; i + j <= degree; j++) q[i][j] = net[place(degree, i, j)];
+        for (j = 0; i + j <= degree; j++) q[i][j] = net[slot(degree, i, j)];
     for (step = 0; step < degree; step++)
         for (i = 0; i < degree - step; i++)
             for (j = 0; i + j < degree - step; j++)
@@ -615,19 +615,18 @@ static const char *const header[] = {
     "  jet          as point                      x_u x_v x_uu x_uv x_vv",
     "  normal       as point                      x_u cross x_v, unit",
     "",
-    "x, n, m, p and c are three numbers each. Every input is exact as a double; where the "
-    "precision",
-    "is 'both' it is exact as a float too, but for the normals in rows of the arc rule, which a",
-    "program in floats has to round. Normals are unit to the rounding of float or double; the",
-    "reference makes them unit before it uses them. Only their directions matter but to the arc",
-    "rule, whose normals are therefore unit to the rounding of double. A zero normal stays zero.",
+    "x, n, m, p and c are three numbers each. Every input is exact as a double; where the",
+    "precision is 'both' it is exact as a float too, but for the normals in rows of the arc",
+    "rule, which a program in floats has to round. Normals are unit to the rounding of float or",
+    "double; the reference makes them unit before it uses them. Only their directions matter but",
+    "to the arc rule, whose normals are therefore unit to the rounding of double. A zero normal",
+    "stays zero; a zero wanted normal asks for nothing.",
     "",
-    "size is the largest coordinate of the inputs and outputs; for segment and the jets the "
-    "largest",
-    "difference of two points, or output; for unit vectors 1. condition is 1 plus the sum, over "
-    "the",
-    "coordinates of all inputs, of the largest change of an output per change of that coordinate,",
-    "outputs in units of size, points of the largest difference of two points, normals of 1.",
+    "size is the largest coordinate of the inputs and outputs; for segment and the jets the",
+    "largest difference of two points, or output; for unit vectors 1. condition is 1 plus the",
+    "sum, over the coordinates of all inputs, of the largest change of an output per change of",
+    "that coordinate; outputs count in units of size, points in units of the largest difference",
+    "of two points, normals in units of 1.",
 };
 
 /* What the inputs are, one letter each: s a number; x a vertex or a control point; n a normal of
@@ -638,23 +637,6 @@ typedef struct kind {
     enum { COORDINATES, DIFFERENCES, DIRECTIONS } unit_of;
     void (*run)(const quad *in, quad *out);
 } kind;
-
-enum {
-    SEGMENT,
-    PLANE,
-    EDGE_PAPER,
-    EDGE_ARC,
-    PATCH_NAGATA,
-    PATCH_PAPER,
-    PATCH_ARC,
-    CENTRE_ARC,
-    EDGE_POINT,
-    EDGE_JET,
-    POINT2,
-    POINT,
-    JET,
-    NORMAL
-};
 
 static const kind kinds[] = {
     {"segment", "xnxn", 3, DIFFERENCES, row_segment},
@@ -672,6 +654,13 @@ static const kind kinds[] = {
     {"jet", "ssxxxxxxxxxx", 15, DIFFERENCES, row_jet},
     {"normal", "ssxxxxxxxxxx", 3, DIRECTIONS, row_normal},
 };
+
+static const kind *kind_named(const char *name)
+{
+    const kind *k = kinds;
+    while (strcmp(k->name, name) != 0) k++;
+    return k;
+}
 
 static int width(char letter) { return letter == 's' ? 1 : 3; }
 
@@ -729,13 +718,13 @@ static quad row_size(const kind *k, const quad *in, const quad *out)
 /* The largest change of an output per change of input i. */
 static quad sensitivity(const kind *k, const quad *in, int i, quad unit_in)
 {
-    quad near_in[MAX_IN], up[MAX_OUT], down[MAX_OUT], worst = 0, h = unit_in * power2(-70);
+    quad moved[MAX_IN], up[MAX_OUT], down[MAX_OUT], worst = 0, h = unit_in * power2(-70);
     int j;
-    memcpy(near_in, in, sizeof near_in);
-    near_in[i] = in[i] + h;
-    k->run(near_in, up);
-    near_in[i] = in[i] - h;
-    k->run(near_in, down);
+    memcpy(moved, in, sizeof moved);
+    moved[i] = in[i] + h;
+    k->run(moved, up);
+    moved[i] = in[i] - h;
+    k->run(moved, down);
     for (j = 0; j < k->outputs; j++) worst = fmaxq(worst, fabsq(up[j] - down[j]));
     return worst * power2(69);
 }
@@ -761,9 +750,9 @@ static void print_number(quad x, quad size)
     printf(",%s", text);
 }
 
-static void emit(int kind_index, const char *name, int precision, const quad *given)
+static void emit(const char *kind_name, const char *name, int precision, const quad *given)
 {
-    const kind *k = kinds + kind_index;
+    const kind *k = kind_named(kind_name);
     quad in[MAX_IN] = {0}, out[MAX_OUT], size;
     int i, n = inputs(k);
     memcpy(in, given, (size_t)n * sizeof *in);
@@ -807,14 +796,14 @@ static vec draw_unit(void)
 }
 
 /* Where the points of a row lie: offset + scale * (stretch * draw), each a power of two. */
-typedef struct place_of {
+typedef struct setting {
     const char *name;
     int precision, scale, stretch_y, stretch_z;
     double offset;
-} place_of;
+} setting;
 
-static const place_of plain = {"", BOTH, 0, 0, 0, 0};
-static const place_of places[] = {
+static const setting plain = {"", BOTH, 0, 0, 0, 0};
+static const setting settings[] = {
     {" far from the origin", BOTH, 0, 0, 0, 4096},
     {" very far from the origin", DOUBLE, 0, 0, 0, 1073741824},
     {" scaled by 2^-40", BOTH, -40, 0, 0, 0},
@@ -824,15 +813,15 @@ static const place_of places[] = {
     {" with mixed exponents", BOTH, 0, -12, 9, 0},
     {" with very mixed exponents", DOUBLE, 0, -30, 25, 0},
 };
-enum { PLACES = sizeof places / sizeof *places };
+enum { SETTINGS = sizeof settings / sizeof *settings };
 
-static vec placed(const place_of *where, vec a)
+static vec placed(const setting *where, vec a)
 {
     a = v(a.x, scalbnq(a.y, where->stretch_y), scalbnq(a.z, where->stretch_z));
     return add(v(where->offset, -where->offset, where->offset / 2), mul(power2(where->scale), a));
 }
 
-static vec draw_point(const place_of *where) { return placed(where, draw_vec()); }
+static vec draw_point(const setting *where) { return placed(where, draw_vec()); }
 
 static vec as_read(vec a, int precision)
 {
@@ -848,16 +837,16 @@ static vec leaning(const frame *r, double turn, double lean)
     return rotate(r->e, cross(radial, r->e), degrees(lean - 90));
 }
 
-static void emit_pair(const char *name, const place_of *where, int precision, vertex a, vertex b)
+static void emit_pair(const char *name, const setting *where, int precision, vertex a, vertex b)
 {
     quad in[2 + 12] = {0};
     char text[128];
     snprintf(text, sizeof text, "%s%s", name, where->name);
     put(put(put(put(in + 2, a.x), a.n), b.x), b.n);
-    emit(SEGMENT, text, precision, in + 2);
-    emit(PLANE, text, precision, in + 2);
-    emit(EDGE_PAPER, text, precision, in);
-    emit(EDGE_ARC, text, precision, in + 2);
+    emit("segment", text, precision, in + 2);
+    emit("plane", text, precision, in + 2);
+    emit("edge_paper", text, precision, in);
+    emit("edge_arc", text, precision, in + 2);
 }
 
 typedef struct pair_case {
@@ -899,25 +888,29 @@ static const pair_case hard[] = {
     {"near-parallel and steep", BOTH, 0, -20, 0.6, -20},
     {"near-parallel by 0.6 degrees", BOTH, 0, -5, 0.6, -5},
     {"near-parallel by 0.01 degrees", BOTH, 0, -5, 0.01, -5},
-    {"near-parallel by 2e-4 degrees", BOTH, 0, -20, 2e-4, -20},
+    {"near-parallel by 5e-5 degrees", BOTH, 0, -20, 5e-5, -20},
     {"near-parallel by 1e-6 degrees", DOUBLE, 0, -20, 1e-6, -20},
     {"near-parallel by 1e-8 degrees", DOUBLE, 0, -40, 1e-8, -40},
+    {"near-parallel by 1e-11 degrees", DOUBLE, 0, -40, 1e-11, -40},
     {"near-parallel in lean", BOTH, 0, -5, 0, -5.01},
     {"near-parallel in lean by 1e-8 degrees", DOUBLE, 0, 20, 0, 20.00000001},
     {"near-parallel and flat", BOTH, 0, -0.005, 0, 0.005},
     {"parallel", BOTH, 0, -20, 0, -20},
     {"parallel and flat", BOTH, 30, 0, 30, 0},
     {"near-opposite by 1 degree", BOTH, 0, -20, 181, 20},
-    {"near-opposite by 0.1 degrees", BOTH, 0, -20, 180.1, 20},
+    {"near-opposite by 0.03 degrees", BOTH, 0, -20, 180.03, 20},
     {"near-opposite by 1e-3 degrees", DOUBLE, 0, 30, 180.001, -30},
-    {"near-opposite by 1e-5 degrees", DOUBLE, 0, 30, 180.00001, -30},
+    {"near-opposite by 2e-6 degrees", DOUBLE, 0, 30, 180.000002, -30},
+    {"opposite but for 5e-7 degrees", DOUBLE, 0, 30, 180.0000005, -30},
     {"near-opposite in lean", BOTH, 0, 30, 180, -30.2},
     {"opposite", BOTH, 0, 30, 180, -30},
     {"near the chord by 1 degree", BOTH, 0, 89, 10, 20},
     {"near the chord by 0.1 degrees", BOTH, 0, 20, 10, -89.9},
-    {"near the chord by 0.01 degrees", BOTH, 0, 89.99, 10, -20},
+    {"near the chord by 0.002 degrees", BOTH, 0, 89.998, 10, -20},
     {"near the chord by 1e-5 degrees", DOUBLE, 0, 89.99999, 10, 20},
     {"near the chord by 1e-8 degrees", DOUBLE, 0, 30, 10, 89.99999999},
+    {"near the chord by 1e-10 degrees", DOUBLE, 0, 90 - 1e-10, 10, 30},
+    {"along the chord but for 2e-11 degrees", DOUBLE, 0, 30, 10, 90 - 2e-11},
     {"no first normal", BOTH, 0, NO_NORMAL, 0, 20},
     {"no second normal", BOTH, 0, -35, 0, NO_NORMAL},
     {"no normals", BOTH, 0, NO_NORMAL, 0, NO_NORMAL},
@@ -941,7 +934,7 @@ enum {
     ON_AXIS = sizeof on_axis / sizeof *on_axis
 };
 
-static void pair_of_case(const pair_case *c, const place_of *where, vec x0, vec x1)
+static void pair_of_case(const pair_case *c, const setting *where, vec x0, vec x1)
 {
     int precision = c->precision == BOTH ? where->precision : DOUBLE;
     vec d = sub(x1, x0);
@@ -954,7 +947,7 @@ static void pair_of_case(const pair_case *c, const place_of *where, vec x0, vec 
     emit_pair(c->name, where, precision, a, b);
 }
 
-static void pair_anywhere(const pair_case *c, const place_of *where)
+static void pair_anywhere(const pair_case *c, const setting *where)
 {
     int precision = c->precision == BOTH ? where->precision : DOUBLE;
     vec x0 = as_read(draw_point(where), precision), x1 = as_read(draw_point(where), precision);
@@ -963,13 +956,13 @@ static void pair_anywhere(const pair_case *c, const place_of *where)
 
 static void pairs(void)
 {
-    static const place_of same = {" at coincident points", BOTH, 0, 0, 0, 0};
-    static const place_of close = {" at close points far from the origin", BOTH, 0, 0, 0, 64};
+    static const setting same = {" at coincident points", BOTH, 0, 0, 0, 0};
+    static const setting close = {" at close points far from the origin", BOTH, 0, 0, 0, 64};
     int i, j;
     for (i = 0; i < EASY; i++) {
         vec x = draw_point(&plain), y = placed(&close, x);
         pair_anywhere(easy + i, &plain);
-        for (j = 0; j < PLACES; j++) pair_anywhere(easy + i, places + j);
+        for (j = 0; j < SETTINGS; j++) pair_anywhere(easy + i, settings + j);
         pair_of_case(easy + i, &same, x, x);
         pair_of_case(easy + i, &close, y, add(y, mul(power2(-10), draw_unit())));
     }
@@ -980,7 +973,11 @@ static void pairs(void)
         pair_of_case(on_axis + i, &plain, x, add(x, d));
     }
     for (i = 0; i < 12; i++) {
-        vertex a = {draw_point(&plain), draw_unit()}, b = {draw_point(&plain), draw_unit()};
+        vertex a, b;
+        a.x = draw_vec();
+        a.n = draw_unit();
+        b.x = draw_vec();
+        b.n = draw_unit();
         emit_pair("any normals", &plain, BOTH, a, b);
     }
 }
@@ -1000,7 +997,7 @@ static void options(void)
             frame r = frame_about(sub(x1, x0));
             vec n0 = leaning(&r, c->turn0, c->lean0), n1 = leaning(&r, c->turn1, c->lean1);
             put(put(put(put(in + 2, x0), n0), x1), n1);
-            emit(EDGE_PAPER, c->name, BOTH, in);
+            emit("edge_paper", c->name, BOTH, in);
         }
 }
 
@@ -1049,22 +1046,25 @@ static vec corner_normal(const triangle_case *c, const vec x[3], int i)
 }
 
 /* A collapsed side has no tangent to make its wanted normal orthogonal to; no rows of that. */
-static void emit_triangle(const char *name, const place_of *where, int precision, const quad *tri)
+static void emit_triangle(const char *name, const setting *where, int precision, const quad *tri)
 {
     quad in[2 + 18 + 9] = {0};
     char text[128];
     int i;
     snprintf(text, sizeof text, "%s%s", name, where->name);
     memcpy(in + 2, tri, 18 * sizeof *tri);
-    emit(PATCH_NAGATA, text, precision, in + 2);
-    emit(PATCH_PAPER, text, precision, in);
+    emit("patch_nagata", text, precision, in + 2);
+    emit("patch_paper", text, precision, in);
     if (is_zero(sub(vec_at(tri), vec_at(tri + 6)))) return;
-    emit(PATCH_ARC, text, precision, in + 2);
+    emit("patch_arc", text, precision, in + 2);
     for (i = 0; i < 9; i++) in[20 + i] = tri[6 * (i / 3) + 3 + i % 3] + draw() / 2;
-    emit(CENTRE_ARC, text, precision, in + 2);
+    emit("centre_arc", text, precision, in + 2);
+    if (where != &plain) return;
+    for (i = 0; i < 9; i++) in[20 + i] = i < 3 && is_zero(vec_at(tri + 3)) ? 0 : draw();
+    emit("centre_arc", text, precision, in + 2);
 }
 
-static void triangle(const triangle_case *c, const place_of *where, const vec local[3])
+static void triangle(const triangle_case *c, const setting *where, const vec local[3])
 {
     int i, precision = c->precision == BOTH ? where->precision : DOUBLE;
     quad in[18];
@@ -1083,18 +1083,18 @@ static void draw_triangle(vec x[3])
 
 static void triangles(void)
 {
-    static const place_of needle = {" of aspect 1e6", BOTH, 0, 0, 0, 0};
-    static const place_of collapsed = {" with a collapsed side", BOTH, 0, 0, 0, 0};
-    static const place_of double_needle = {" of aspect 1e6 unrounded", DOUBLE, 0, 0, 0, 0};
+    static const setting needle = {" of aspect 1e6", BOTH, 0, 0, 0, 0};
+    static const setting collapsed = {" with a collapsed side", BOTH, 0, 0, 0, 0};
+    static const setting double_needle = {" of aspect 1e6 unrounded", DOUBLE, 0, 0, 0, 0};
     int i;
     vec x[3];
     for (i = 0; i < TRIANGLES; i++) {
         draw_triangle(x);
         triangle(triangle_cases + i, &plain, x);
     }
-    for (i = 0; i < PLACES; i++) {
+    for (i = 0; i < SETTINGS; i++) {
         draw_triangle(x);
-        triangle(triangle_cases + i % 4, places + i, x);
+        triangle(triangle_cases + i % 4, settings + i, x);
     }
     for (i = 0; i < 4; i++) {
         draw_triangle(x);
@@ -1109,7 +1109,7 @@ static void triangles(void)
 
 /* ---- Control nets: a triangle's lattice, every point shaken. ---- */
 
-static void draw_net(const place_of *where, int degree, quad *in)
+static void draw_net(const setting *where, int degree, quad *in)
 {
     vec x[3];
     int i, j;
@@ -1118,11 +1118,11 @@ static void draw_net(const place_of *where, int degree, quad *in)
         for (j = 0; i + j <= degree; j++) {
             vec p = add(mul(i, x[1]), add(mul(j, x[2]), mul(degree - i - j, x[0])));
             p = add(mul((quad)1 / degree, p), mul((quad)1 / 7, draw_vec()));
-            put(in + 3 * place(degree, i, j), placed(where, p));
+            put(in + 3 * slot(degree, i, j), placed(where, p));
         }
 }
 
-static void emit_nets(const place_of *where, int precision, quad u, quad v)
+static void emit_nets(const setting *where, int precision, quad u, quad v)
 {
     quad in[2 + 3 * NET];
     char text[64];
@@ -1130,13 +1130,13 @@ static void emit_nets(const place_of *where, int precision, quad u, quad v)
     in[1] = v;
     snprintf(text, sizeof text, "net%s", where->name);
     draw_net(where, 3, in + 2);
-    emit(POINT, text, precision, in);
-    emit(JET, text, precision, in);
-    emit(NORMAL, text, precision, in);
-    emit(EDGE_POINT, text, precision, in + 1);
-    emit(EDGE_JET, text, precision, in + 1);
+    emit("point", text, precision, in);
+    emit("jet", text, precision, in);
+    emit("normal", text, precision, in);
+    emit("edge_point", text, precision, in + 1);
+    emit("edge_jet", text, precision, in + 1);
     draw_net(where, 2, in + 2);
-    emit(POINT2, text, precision, in);
+    emit("point2", text, precision, in);
 }
 
 /* u and v in units of 2^-20: corners, sides, the interior, outside. 1 - u - v is exact. */
@@ -1152,8 +1152,8 @@ static void nets(void)
     for (i = 0; i < UV; i++)
         emit_nets(&plain, i % 2 ? DOUBLE : BOTH, (quad)uv[i][0] / 1048576,
                   (quad)uv[i][1] / 1048576);
-    for (i = 0; i < PLACES; i++)
-        emit_nets(places + i, places[i].precision, (quad)uv[i + 3][0] / 1048576,
+    for (i = 0; i < SETTINGS; i++)
+        emit_nets(settings + i, settings[i].precision, (quad)uv[i + 3][0] / 1048576,
                   (quad)uv[i + 3][1] / 1048576);
 }
 
