@@ -982,7 +982,7 @@ static void pairs(void)
     }
 }
 
-/* tan_lo and tan_hi, given; 0 and below stand for 0.1 and 10. */
+/* tan_lo and tan_hi, 0 and below for the defaults, with those of hard[] that they bear on. */
 static void options(void)
 {
     static const double limits[][2] = {
