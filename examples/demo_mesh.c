@@ -1,21 +1,21 @@
-/* Writes the demonstration's mesh, a bottle of 160 triangles with exact normals, as OBJ on stdout.
+/* Writes the demonstration's mesh, a bottle of 224 triangles with exact normals, as OBJ on stdout.
  *
  *     base and lid    flat, each with a crease round it
  *     wall            four flat sides, joined by quarter cylinders
- *     shoulder        one row of edges, each shaped like an S: upright at both ends, while the
- *                     rounded square becomes a circle
+ *     shoulder        shaped like an S, upright at both ends, while the rounded square becomes a
+ *                     circle; the inflection lies inside the middle one of its three rows
  *     neck            a cylinder
  */
 #include <math.h>
 #include <stdio.h>
 
-enum { AROUND = 16, ROWS = 5 };
+enum { AROUND = 16, ROWS = 7 }; /* rows of points */
 
 static const double pi = 3.14159265358979323846;
 static const double flat = 0.5; /* half a side's flat part; half of the whole side is 1 */
 static const double neck = 0.4; /* radius */
-static const double height[ROWS] = {0, 0.75, 1.5, 2.4, 3};
-static const double roundness[ROWS] = {0, 0, 0, 1, 1}; /* of the section: 0 the wall, 1 the neck */
+static const double height[ROWS] = {0, 0.75, 1.5, 1.8, 2.1, 2.4, 3};
+static const double foot = 1.5, top = 2.4; /* of the shoulder */
 
 /* To nine decimals, without a negative zero. */
 static void print_vec(const char *word, double x, double y, double z)
@@ -25,7 +25,7 @@ static void print_vec(const char *word, double x, double y, double z)
            floor(z * unit + 0.5) / unit);
 }
 
-/* The columns stand in the middle of the sides, where these end, and in the middle of the corners. */
+/* The columns stand in the middle of each side, where it ends, and in the middle of the corner. */
 static double direction(int j)
 {
     const double within[4] = {0, atan(flat), pi / 4, pi / 2 - atan(flat)};
@@ -47,16 +47,27 @@ static double wall(double a, double *slope)
     return along + rest;
 }
 
-/* All these normals are horizontal: wall, neck and both ends of the shoulder are upright. */
+/* How much of the section at height z is the neck's circle, the rest being the wall's; slope: its
+   derivative, 0 at both ends of the shoulder. */
+static double roundness(double z, double *slope)
+{
+    double t = z < foot ? 0 : z > top ? 1 : (z - foot) / (top - foot);
+    *slope = 6 * t * (1 - t) / (top - foot);
+    return t * t * (3 - 2 * t);
+}
+
+/* The point at radius r(a, z) and the normal there, the cross product of the derivatives. */
 static void print_vertex(int i, int j)
 {
-    double a = direction(j), slope, r = wall(a, &slope), x, y;
-    r = (1 - roundness[i]) * r + roundness[i] * neck;
-    slope *= 1 - roundness[i];
-    x = r * cos(a) + slope * sin(a);
-    y = r * sin(a) - slope * cos(a);
-    print_vec("v", r * cos(a), r * sin(a), height[i]);
-    print_vec("vn", x / sqrt(x * x + y * y), y / sqrt(x * x + y * y), 0);
+    double a = direction(j), z = height[i], ra, rz, x, y, length, size = wall(a, &ra);
+    double part = roundness(z, &rz), r = (1 - part) * size + part * neck;
+    ra *= 1 - part;
+    rz *= neck - size;
+    x = r * cos(a) + ra * sin(a);
+    y = r * sin(a) - ra * cos(a);
+    length = sqrt(x * x + y * y + r * r * rz * rz);
+    print_vec("v", r * cos(a), r * sin(a), z);
+    print_vec("vn", x / length, y / length, -r * rz / length);
 }
 
 static void print_triangle(int a, int b, int c)

@@ -1,0 +1,216 @@
+/* From a mesh to its surface: neighbours, creases, normals, the net of control points. */
+#include "smooth.h"
+
+#include <stdlib.h>
+
+static n3_edge nagata_edge(n3_vertex a, n3_vertex b)
+{
+    n3_segment s = n3_segment_make(a, b);
+    return n3_segment_raise(&s);
+}
+
+/* The third of the chord from x on, laid into the tangent plane there. */
+static n3_vec pn_point(n3_vec x, n3_vec n, n3_vec chord)
+{
+    return n3_add(x, n3_mul((n3_real)1 / 3, n3_sub(chord, n3_mul(n3_dot(chord, n), n))));
+}
+
+/* The edge of a PN triangle (Vlachos et al. 2001, section 3). */
+static n3_edge pn_edge(n3_vertex a, n3_vertex b)
+{
+    n3_edge e;
+    e.p[0] = a.x;
+    e.p[1] = pn_point(a.x, a.n, n3_sub(b.x, a.x));
+    e.p[2] = pn_point(b.x, b.n, n3_sub(a.x, b.x));
+    e.p[3] = b.x;
+    return e;
+}
+
+static n3_edge flat_edge(n3_vertex a, n3_vertex b)
+{
+    a.n = b.n = n3_v(0, 0, 0);
+    return pn_edge(a, b);
+}
+
+const smooth_rule *smooth_rule_find(const char *name)
+{
+    static const smooth_rule rules[] = {
+        {"paper", N3_RULE_PAPER, NULL},         {"arc", N3_RULE_ARC, NULL},
+        {"fit", N3_RULE_FIT, NULL},             {"nagata", N3_RULE_PAPER, nagata_edge},
+        {"pn", N3_RULE_PAPER, pn_edge},         {"flat", N3_RULE_PAPER, flat_edge}};
+    size_t i;
+    for (i = 0; i < sizeof rules / sizeof *rules; i++)
+        if (strcmp(rules[i].name, name) == 0) return &rules[i];
+    return NULL;
+}
+
+static void check(const char *path, n3_status status, int item)
+{
+    if (status == N3_OK) return;
+    fail(path, 0, "%s (number %d)", n3_status_text(status), item + 1);
+}
+
+/* Sides between faces of different smoothing groups, or of none. */
+static unsigned char *group_marks(const mesh *m, const n3_topology *t)
+{
+    unsigned char *mark = allocate((size_t)m->triangles, 3);
+    int e, i;
+    for (e = 0; e < t->edges; e++) {
+        int group = m->group[t->side[t->first[e]] / 3], sharp = !group;
+        for (i = t->first[e]; i < t->first[e + 1]; i++)
+            sharp |= m->group[t->side[i] / 3] != group;
+        for (i = t->first[e]; i < t->first[e + 1]; i++) mark[t->side[i]] = (unsigned char)sharp;
+    }
+    return mark;
+}
+
+static int count_inferred(const mesh *m)
+{
+    int i, n = 0;
+    for (i = 0; i < 3 * m->triangles; i++)
+        n += m->corner[i] < 0 || !(n3_len(m->normal[m->corner[i]]) > 0);
+    return n;
+}
+
+static void make_normals(const char *path, const mesh *m, n3_real cos_crease, surface *s)
+{
+    unsigned char *mark = m->grouped ? group_marks(m, &s->topology) : NULL;
+    int normals = 0, item = 0;
+    s->normal = allocate((size_t)m->normals + 3 * (size_t)m->triangles, sizeof *s->normal);
+    s->corner = allocate((size_t)m->triangles, 3 * sizeof *s->corner);
+    check(path, n3_mesh_normals(&s->mesh, &s->topology, cos_crease, mark, s->normal, s->corner,
+                                &normals, &item), item);
+    free(mark);
+    s->mesh.normals = normals;
+    s->mesh.normal = &s->normal->x;
+    s->mesh.corner = s->corner;
+    s->mesh.normal_stride = s->mesh.corner_stride = 0;
+}
+
+n3_edge surface_edge(const surface *s, int edge)
+{
+    n3_edge e;
+    int end[2];
+    n3_mesh_edge_ends(&s->mesh, &s->topology, edge, end);
+    e.p[0] = s->net[end[0]];
+    e.p[1] = s->net[s->mesh.points + 2 * edge];
+    e.p[2] = s->net[s->mesh.points + 2 * edge + 1];
+    e.p[3] = s->net[end[1]];
+    return e;
+}
+
+int surface_edges_with(const surface *s, unsigned flags)
+{
+    int e, n = 0;
+    for (e = 0; e < s->topology.edges; e++) n += (s->flags[e] & flags) != 0;
+    return n;
+}
+
+/* The sum of the normals of the edge's faces at the point, each turned to the first's side. */
+static n3_vec end_normal(const surface *s, int edge, int point)
+{
+    const n3_topology *t = &s->topology;
+    n3_vec sum = n3_v(0, 0, 0);
+    int k, i;
+    for (k = t->first[edge]; k < t->first[edge + 1]; k++) {
+        for (i = t->side[k] / 3 * 3; i < t->side[k] / 3 * 3 + 3; i++) {
+            n3_vec n = s->normal[s->corner[i]];
+            if (s->mesh.triangle[i] != point) continue;
+            sum = n3_dot(sum, n) < 0 ? n3_sub(sum, n) : n3_add(sum, n);
+        }
+    }
+    return n3_unit(sum);
+}
+
+static void replace_edge(const surface *s, int edge)
+{
+    n3_vec *net = s->net + s->mesh.points + 2 * edge;
+    n3_vertex v[2];
+    n3_edge e;
+    int end[2], i;
+    n3_mesh_edge_ends(&s->mesh, &s->topology, edge, end);
+    for (i = 0; i < 2; i++) {
+        v[i].x = s->net[end[i]];
+        v[i].n = end_normal(s, edge, end[i]);
+    }
+    e = s->rule->edge(v[0], v[1]);
+    net[0] = e.p[1];
+    net[1] = e.p[2];
+}
+
+/* (6.1.10) is the centre of all the comparison rules: it has quadratic precision, so that it keeps
+   a raised quadratic patch, and it is the PN triangle's own. */
+static void replace_net(const surface *s)
+{
+    const unsigned creased = N3_EDGE_CREASE | N3_EDGE_HALF_CREASE;
+    const int centres = s->mesh.points + 2 * s->topology.edges;
+    int i;
+    for (i = 0; i < s->topology.edges; i++)
+        if (!(s->flags[i] & creased) || s->rule->edge == flat_edge) replace_edge(s, i);
+    for (i = 0; i < s->mesh.triangles; i++) {
+        n3_patch p;
+        n3_edge e[3];
+        n3_mesh_patches(&s->mesh, &s->topology, s->net, i, i + 1, &p);
+        n3_patch_edges(&p, e);
+        s->net[centres + i] = n3_patch_centre(&e[0], &e[1], &e[2]);
+    }
+}
+
+static void make_topology(const char *path, const mesh *m, surface *s)
+{
+    size_t size;
+    int item = 0;
+    memset(s, 0, sizeof *s);
+    s->mesh.points = m->points;
+    s->mesh.triangles = m->triangles;
+    s->mesh.point = &m->point->x;
+    s->mesh.triangle = m->triangle;
+    if (m->normals) {
+        s->mesh.normals = m->normals;
+        s->mesh.normal = &m->normal->x;
+        s->mesh.corner = m->corner;
+    }
+    size = n3_mesh_workspace(&s->mesh);
+    s->work = allocate(size, 1);
+    check(path, n3_mesh_topology(&s->mesh, s->work, size, &s->topology, &item), item);
+}
+
+void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_real cos_crease,
+                  surface *s)
+{
+    n3_options options = {0, 0, 0};
+    int item = 0;
+    make_topology(path, m, s);
+    make_normals(path, m, cos_crease, s);
+    s->rule = rule;
+    s->inferred = count_inferred(m);
+    s->nodes = n3_mesh_nodes(&s->mesh, &s->topology);
+    s->net = allocate((size_t)s->nodes, sizeof *s->net);
+    s->flags = allocate((size_t)s->topology.edges, sizeof *s->flags);
+    options.rule = rule->rule;
+    check(path, n3_mesh_net(&s->mesh, &s->topology, &options, s->net, s->flags, &item), item);
+    if (rule->edge) replace_net(s);
+}
+
+void surface_free(surface *s)
+{
+    free(s->work);
+    free(s->normal);
+    free(s->corner);
+    free(s->net);
+    free(s->flags);
+}
+
+void surface_refine(const char *path, const surface *s, int level, mesh *out)
+{
+    memset(out, 0, sizeof *out);
+    if (n3_mesh_refine_counts(&s->mesh, &s->topology, level, &out->points, &out->triangles,
+                              &out->normals) != N3_OK)
+        fail(path, 0, "%d triangles with %d parts per edge are too many", s->mesh.triangles, level);
+    out->point = allocate((size_t)out->points, sizeof *out->point);
+    out->triangle = allocate((size_t)out->triangles, 3 * sizeof *out->triangle);
+    out->normal = allocate((size_t)out->normals, sizeof *out->normal);
+    out->corner = allocate((size_t)out->triangles, 3 * sizeof *out->corner);
+    n3_mesh_refine(&s->mesh, &s->topology, s->net, level, out->point, out->triangle, out->normal,
+                   out->corner, NULL, NULL);
+}
