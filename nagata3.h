@@ -613,18 +613,19 @@ NAGATA3_API n3_edge n3_edge_make(n3_vertex a, n3_vertex b, const n3_options *o)
     return swapped ? n3_edge_reverse(&e) : e;
 }
 
-/* True if the canonical direction of the curve is the reverse. */
-NAGATA3_API int n3i_runs_back(const n3_edge *e)
+/* -1, 0 or 1 as the curve runs from its canonical end, is the same from both, or runs back. */
+NAGATA3_API int n3i_edge_order(const n3_edge *e)
 {
     int order = n3i_order(e->p[0], e->p[3]);
-    return (order ? order : n3i_order(e->p[1], e->p[2])) > 0;
+    return order ? order : n3i_order(e->p[1], e->p[2]);
 }
 
-/* Evaluated from the canonical end: k ^ i counts the control points from there. */
+/* Evaluated from the canonical end, or, where there is none, from the nearer one: k ^ i counts the
+   control points from there. */
 NAGATA3_API n3_vec n3_edge_point(const n3_edge *e, n3_real t)
 {
     const n3_vec *p = e->p;
-    int k = n3i_runs_back(e) ? 3 : 0;
+    int order = n3i_edge_order(e), k = (order ? order > 0 : t > 1 - t) ? 3 : 0;
     n3_real s = k ? t : 1 - t, r = k ? 1 - t : t;
     return n3_add(n3_add(n3_mul(s * s * s, p[k]), n3_mul(3 * s * s * r, p[k ^ 1])),
                   n3_add(n3_mul(3 * s * r * r, p[k ^ 2]), n3_mul(r * r * r, p[k ^ 3])));
@@ -713,10 +714,11 @@ NAGATA3_API n3_vec n3_patch_centre_arc(const n3_edge *ab, const n3_edge *bc, con
     C = n3i_centre_cubic(x, n, n3_patch_centre(ab, bc, ca));
     for (i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
-        n3_curve_jet middle = n3_edge_jet(e[i], (n3_real)1 / 2);
+        const n3_vec *p = e[i]->p;
+        n3_vec t = n3_unit(n3_add(n3_sub(p[3], p[0]), n3_sub(p[2], p[1])));
         n3_vec facing = n3_mul((n3_real)1 / 2, n3_add(e[j]->p[1], e[k]->p[2]));
-        qe = n3_sub(n3_mul(2, middle.x), facing);
-        ne = n3i_across(n3_unit(mid ? mid[i] : n3_add(n[i], n[j])), n3_unit(middle.dt));
+        qe = n3_sub(n3_mul(2, n3_edge_point(e[i], (n3_real)1 / 2)), facing);
+        ne = n3i_across(n3_unit(mid ? mid[i] : n3_add(n[i], n[j])), t);
         rc += n3_dot(ne, n3_sub(qe, C)) * n3_dot(ne, N);
         cc += n3_dot(ne, N) * n3_dot(ne, N);
     }
@@ -881,6 +883,1570 @@ NAGATA3_API n3_vec n3_patch_normal(const n3_patch *p, n3_real u, n3_real v)
     if (n3i_is_zero(n)) n = n3i_clear(n3_cross(q.p[1], q.p[2]), 1);
     if (n3i_is_zero(n)) n = n3i_clear(n3i_net_area(q.p), 1);
     return n;
+}
+
+/* ==== Part II: what a mesh needs ===============================================================
+
+   ---- The mesh ---- */
+
+/* A mesh of triangles: a flat, borrowed view; nothing is copied or owned. A stride is the distance
+   in bytes from one element to the next, any number; 0 means packed. */
+typedef struct n3_mesh {
+    int points, triangles, normals;                  /* counts */
+    const n3_real *point;    size_t point_stride;    /* xyz each */
+    const int     *triangle; size_t triangle_stride; /* three points each */
+    const n3_real *normal;   size_t normal_stride;   /* xyz each, of any length; NULL: no normals */
+    const int     *corner;   size_t corner_stride;   /* three normals for each triangle, negative:
+                                                        none; NULL: normal i belongs to point i */
+} n3_mesh;
+
+/* What a call answers that can fail. Nothing is written before the input is known to be sound.
+   Such a call takes a pointer item, which may be NULL, to where the index of what is to blame
+   goes; -1 where no single thing is. It is left alone when all is well. */
+typedef enum n3_status {
+    N3_OK,
+    N3_NULL_POINTER, /* a pointer that must not be NULL is */
+    N3_BAD_COUNT,    /* a count is negative, does not fit its partner, or leads beyond int */
+    N3_BAD_TRIANGLE, /* item: a triangle that names a point out of range */
+    N3_BAD_CORNER,   /* item: a triangle that names a normal out of range */
+    N3_BAD_POINT,    /* item: a point that is not finite */
+    N3_BAD_NORMAL,   /* item: a normal that is not finite */
+    N3_BAD_WORKSPACE /* less workspace than the query said */
+} n3_status;
+
+/* The status in words, never NULL. */
+NAGATA3_API const char *n3_status_text(n3_status status);
+
+/* ---- Topology: which triangles share an edge ---- */
+
+/* Side 3 f + i of triangle f runs from its corner i to the next. Sides between the same two points
+   make an edge. A triangle that names a point twice is collapsed; its side from the point to
+   itself has no edge. Edges are numbered in the order of their first side, and run from the lower
+   to the higher point. The arrays lie in the workspace. */
+typedef struct n3_topology {
+    int points, triangles; /* those of the mesh */
+    int edges;
+    int collapsed;         /* triangles */
+    int unused;            /* points in no triangle */
+    const int *edge;       /* [3 triangles] the edge of a side, -1: none */
+    const int *first;      /* [edges + 1] the sides of edge e, ascending, are */
+    const int *side;       /* side[first[e]] up to but not with side[first[e + 1]] */
+} n3_topology;
+
+/* The bytes of workspace that n3_mesh_topology needs, about 36 for each triangle; 0 when the
+   counts are out of range. */
+NAGATA3_API size_t n3_mesh_workspace(const n3_mesh *m);
+
+/* Fills the topology. work is aligned for int; it must live as long as the topology is used, which
+   goes for every mesh with the same triangles, wherever its points are. Normals are not looked at.
+   Linear: three counting passes. */
+NAGATA3_API n3_status n3_mesh_topology(const n3_mesh *m, void *work, size_t size,
+                                       n3_topology *topology, int *item);
+
+/* The points of an edge, the lower one first. */
+NAGATA3_API void n3_mesh_edge_ends(const n3_mesh *m, const n3_topology *t, int edge, int end[2]);
+
+/* ---- Normals ---- */
+
+/* A unit normal for every corner. Given ones are made unit and keep their index. Where a corner
+   has none, or zero, the normal is inferred, one for each fan: the triangles round a point that
+   hang together over edges that are no creases. A crease is an edge with a marked side, with other
+   than two triangles, with two that disagree about which side is outside, or with a cosine of the
+   angle between their normals below cos_crease (-1: marks alone).
+   The inferred normal is Max's sum over the fan, e0 and e1 the sides that meet in the corner,
+
+       n = sum (e0 x e1) / (|e0|^2 |e1|^2)
+
+   exact on a closed fan inscribed in a sphere; failing that, where the sum cancels, the normal of
+   the largest triangle; zero where none has an area.
+   mark: [3 triangles] by side, not 0: a crease; may be NULL. normal: room for m->normals +
+   3 triangles; the given come first. corner: [3 triangles], indices into normal. normals: their
+   number. None of them may be an array of m. n log n at worst in the triangles round one point. */
+NAGATA3_API n3_status n3_mesh_normals(const n3_mesh *m, const n3_topology *t, n3_real cos_crease,
+                                      const unsigned char *mark, n3_vec *normal, int *corner,
+                                      int *normals, int *item);
+
+/* ---- The net: all patches, their edges shared ---- */
+
+/* What the construction met with and did at an edge. */
+enum {
+    N3_EDGE_STRAIGHT = 1,        /* all control points are on the chord */
+    N3_EDGE_S_SHAPED = 2,        /* leaves and meets the chord from different sides */
+    N3_EDGE_CLAMPED = 4,         /* paper: an angle was clamped, (5.1.11) (5.1.12) */
+    N3_EDGE_BRANCH_60 = 8,       /* paper: an angle was above 60 degrees, (5.1.13) (5.1.14) */
+    N3_EDGE_TURNED = 16,         /* paper: seen along the chord, the ends' normals are more than 90
+                                    degrees apart; a tangent was turned round to run along it */
+    N3_EDGE_CREASE = 32,         /* the faces bring different normals to both ends */
+    N3_EDGE_HALF_CREASE = 64,    /* to one end */
+    N3_EDGE_BORDER = 128,        /* one triangle, not counting collapsed ones here and below */
+    N3_EDGE_NON_MANIFOLD = 256,  /* three or more */
+    N3_EDGE_FLIPPED = 512,       /* two, that disagree about which side is outside */
+    N3_EDGE_DEGENERATE = 1024    /* its ends are at the same place */
+};
+
+/* Ours, for N3_RULE_FIT: a normal to want at the middle of the edge a, b of the triangles abc and
+   bad, not of unit length. The sum of the ends' normals misses the term T(ab, ab, y) / 8 of the
+   slope across, T the third derivative of the surface. Each of the six chords d between the points
+   tells one value of it, T(d, d, d) = -12 <d, unit(n_i + n_j)>; T is fitted to them.
+   The same, bit for bit, as for (b, a, d, c). 500 flops. */
+NAGATA3_API n3_vec n3_edge_mid_normal(n3_vertex a, n3_vertex b, n3_vertex c, n3_vertex d);
+
+/* The number of control points of the net: points + 2 edges + triangles; 0 beyond int. */
+NAGATA3_API int n3_mesh_nodes(const n3_mesh *m, const n3_topology *t);
+
+/* The control points of all patches, by the rule of the options. First the points; then two for
+   each edge, the one next to its lower point first; then the centre of each triangle.
+   An edge is built once, from the normals of all its triangles, so that these cannot part: where
+   they agree it is n3_edge_make, bit for bit; where they differ by more than 1.1 degrees the edge
+   turns into both tangent planes, and above 5.7 degrees it lies in both. It does not depend on the
+   order of the triangles or of their corners. The centre by N3_RULE_FIT takes n3_edge_mid_normal
+   at edges with two triangles that agree. Corners without a normal leave the edge to the others.
+   net: [n3_mesh_nodes]. flags: [edges] of N3_EDGE_ bits, may be NULL. Linear. */
+NAGATA3_API n3_status n3_mesh_net(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+                                  n3_vec *net, unsigned *flags, int *item);
+
+/* The nodes of a triangle's patch, in the order of n3_patch.p. A side without an edge repeats its
+   point. */
+NAGATA3_API void n3_mesh_patch_nodes(const n3_mesh *m, const n3_topology *t, int triangle,
+                                     int node[10]);
+
+/* The patches of the triangles first up to but not with last, into out[0] and on. */
+NAGATA3_API void n3_mesh_patches(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                 int first, int last, n3_patch *out);
+
+/* ---- Refinement ---- */
+
+/* How many points, triangles and normals n3_mesh_refine makes, with level parts for each edge:
+   points + (level - 1) edges + (level - 1)(level - 2)/2 T, level^2 T and (level + 1)(level + 2)/2 T
+   where T counts the triangles that are not collapsed. Each pointer may be NULL. */
+NAGATA3_API n3_status n3_mesh_refine_counts(const n3_mesh *m, const n3_topology *t, int level,
+                                            int *points, int *triangles, int *normals);
+
+/* The surface as triangles, level >= 1 parts for each edge. The points are first those of the
+   mesh; then level - 1 on each edge from its lower to its higher point; then those inside each
+   patch, in rows of constant v, u ascending. Each is computed once and the triangles that meet
+   there share it: closed meshes stay closed. Collapsed triangles, and they alone, vanish.
+   Every output may be NULL; sizes as n3_mesh_refine_counts says, in elements:
+   point; triangle: 3 points each, a patch's together, turning as it does;
+   normal: the patches' own, unit, a lattice of (level + 1)(level + 2)/2 for each patch in rows of
+   constant v, so that two patches can differ at a crease; corner: 3 normals for each new triangle;
+   parent and uv: for each new point the lowest triangle that has it, and its u and v there,
+   2 numbers; -1 and 0, 0 for a point in no triangle. Linear in the output. */
+NAGATA3_API n3_status n3_mesh_refine(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                     int level, n3_vec *point, int *triangle, n3_vec *normal,
+                                     int *corner, int *parent, n3_real *uv);
+
+/* Nodal values carried to new points with the parameters that n3_mesh_refine gave them.
+   degree 1: nodal has a row of components numbers for each point. 2: then one for the middle of
+   each edge. 3: then instead two for the thirds of each edge, the one next to the lower point
+   first, and one for each triangle's centroid: the nodes of the net, with values in place of
+   control points. Continuous across edges in every degree. out: [count][components]. */
+NAGATA3_API n3_status n3_mesh_field(const n3_mesh *m, const n3_topology *t, int degree,
+                                    int components, const n3_real *nodal, const int *parent,
+                                    const n3_real *uv, int count, n3_real *out);
+
+/* ---- Report ---- */
+
+/* False if the patch certainly has no fold: all control vectors of its normal, du x dv, a quartic,
+   make an acute angle with their sum. True says that it may have one. */
+NAGATA3_API int n3_patch_may_fold(const n3_patch *p);
+
+/* What is in a mesh and what became of it. A count that could not be taken, for want of the
+   topology or of the net and its flags, is -1. */
+typedef struct n3_report {
+    int points, triangles, normals, edges;
+    int bad_points, bad_normals;       /* not finite */
+    int bad_triangles, bad_corners;    /* triangles that name a point, a normal out of range */
+    int collapsed_triangles;           /* name a point twice */
+    int flat_triangles;                /* others without an area: their points are in a line */
+    int duplicate_triangles;           /* have the three points of one before them */
+    int unused_points;                 /* in no triangle */
+    int zero_normals;                  /* corners without a normal */
+    int flipped_normals;               /* corners whose normal looks to the back of the triangle */
+    int border_edges, non_manifold_edges, flipped_edges;           /* by the topology */
+    int straight_edges, s_shaped_edges, clamped_edges, branch_60_edges, turned_edges;
+    int crease_edges, half_crease_edges, degenerate_edges;         /* by the flags */
+    int folding_patches;               /* that may fold */
+    n3_real jump;                      /* largest |n - n'| of the unit normals of two patches at a
+                                          smooth edge's quarters: 2 sin of half the angle */
+    int jump_edge;                     /* where; -1: there is no smooth edge */
+    n3_real distance;                  /* largest distance of a patch to its triangle's plane, at
+                                          the lattice of quarters */
+    int distance_triangle;             /* where; -1: there is no triangle */
+} n3_report;
+
+/* Never fails, whatever the mesh holds: indices out of range, NaN, counts below 0 (they read as
+   0). t may be NULL, as it must be when n3_mesh_topology has failed; net and flags, those of
+   n3_mesh_net, may be NULL, and count only together and with t. Linear, but for duplicates, which
+   cost the number of triangles at an edge each time. */
+NAGATA3_API n3_report n3_mesh_report(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                     const unsigned *flags);
+
+/* ---- Definitions: the mesh ---- */
+
+/* Counts are int; a negative one is the mark of an overflow, and passes through. */
+enum { N3I_COUNT_LIMIT = 2147483647 };
+
+typedef char n3i_assert_int[sizeof(int) == 4 ? 1 : -1];
+
+NAGATA3_API int n3i_count_add(int a, int b)
+{
+    return a < 0 || b < 0 || a > N3I_COUNT_LIMIT - b ? -1 : a + b;
+}
+
+NAGATA3_API int n3i_count_mul(int a, int b)
+{
+    return a < 0 || b < 0 || (b > 0 && a > N3I_COUNT_LIMIT / b) ? -1 : a * b;
+}
+
+NAGATA3_API const char *n3_status_text(n3_status status)
+{
+    switch (status) {
+    case N3_OK: return "all is well";
+    case N3_NULL_POINTER: return "a pointer is NULL";
+    case N3_BAD_COUNT: return "a count is negative, unfit or beyond int";
+    case N3_BAD_TRIANGLE: return "a triangle names a point out of range";
+    case N3_BAD_CORNER: return "a triangle names a normal out of range";
+    case N3_BAD_POINT: return "a point is not finite";
+    case N3_BAD_NORMAL: return "a normal is not finite";
+    case N3_BAD_WORKSPACE: return "the workspace is too small";
+    }
+    return "unknown status";
+}
+
+NAGATA3_API n3_status n3i_blame(n3_status status, int index, int *item)
+{
+    if (item) *item = index;
+    return status;
+}
+
+/* Copied byte by byte: a stride need not keep the alignment. */
+NAGATA3_API n3_vec n3i_vec_at(const n3_real *base, size_t stride, int i)
+{
+    n3_vec a;
+    const char *from = (const char *)base + (size_t)i * (stride ? stride : sizeof a);
+    memcpy(&a, from, sizeof a);
+    return a;
+}
+
+NAGATA3_API int n3i_index_at(const int *base, size_t stride, int triangle, int corner)
+{
+    int index;
+    const char *from = (const char *)base + (size_t)triangle * (stride ? stride : 3 * sizeof index);
+    memcpy(&index, from + (size_t)corner * sizeof index, sizeof index);
+    return index;
+}
+
+NAGATA3_API n3_vec n3i_point(const n3_mesh *m, int i)
+{
+    return n3i_vec_at(m->point, m->point_stride, i);
+}
+
+/* The point at corner c = 3 f + i of triangle f, and at the corner after it. */
+NAGATA3_API int n3i_at(const n3_mesh *m, int c)
+{
+    return n3i_index_at(m->triangle, m->triangle_stride, c / 3, c % 3);
+}
+
+NAGATA3_API int n3i_after(int c) { return c % 3 == 2 ? c - 2 : c + 1; }
+
+NAGATA3_API int n3i_is_collapsed(const n3_mesh *m, int triangle)
+{
+    int a = n3i_at(m, 3 * triangle), b = n3i_at(m, 3 * triangle + 1);
+    int c = n3i_at(m, 3 * triangle + 2);
+    return a == b || b == c || c == a;
+}
+
+/* The normal that the mesh names for a corner, -1: none. */
+NAGATA3_API int n3i_normal_at(const n3_mesh *m, int c)
+{
+    if (!m->normal) return -1;
+    if (!m->corner) return n3i_at(m, c);
+    return n3i_index_at(m->corner, m->corner_stride, c / 3, c % 3);
+}
+
+/* Made unit, unless it is so to rounding: then it keeps its bits. */
+NAGATA3_API n3_vec n3i_made_unit(n3_vec n)
+{
+    return n3i_abs(n3_dot(n, n) - 1) <= 8 * N3_EPS ? n : n3_unit(n);
+}
+
+/* The unit normal of a corner, zero where it has none. */
+NAGATA3_API n3_vec n3i_corner_normal(const n3_mesh *m, int c)
+{
+    int i = n3i_normal_at(m, c);
+    if (i < 0) return n3_v(0, 0, 0);
+    return n3i_made_unit(n3i_vec_at(m->normal, m->normal_stride, i));
+}
+
+NAGATA3_API int n3i_is_finite(n3_vec a)
+{
+    n3_vec zero = n3_sub(a, a);
+    return zero.x <= 0 && zero.y <= 0 && zero.z <= 0;
+}
+
+/* The first corner whose name is not in [0, count), nor negative where that means none; -1: there
+   is no such. */
+NAGATA3_API int n3i_outside(const int *base, size_t stride, int triangles, int none, int count)
+{
+    int f, i;
+    for (f = 0; f < triangles; f++)
+        for (i = 0; i < 3; i++) {
+            int k = n3i_index_at(base, stride, f, i);
+            if (k >= count || (k < 0 && !none)) return 3 * f + i;
+        }
+    return -1;
+}
+
+NAGATA3_API int n3i_not_finite(const n3_real *base, size_t stride, int count)
+{
+    int i;
+    for (i = 0; i < count; i++)
+        if (!n3i_is_finite(n3i_vec_at(base, stride, i))) return i;
+    return -1;
+}
+
+/* Points and triangles are sound. */
+NAGATA3_API n3_status n3i_check_shape(const n3_mesh *m, int *item)
+{
+    int i;
+    if (!m) return n3i_blame(N3_NULL_POINTER, -1, item);
+    if (m->points < 0 || n3i_count_add(n3i_count_mul(m->triangles, 3), 1) < 0)
+        return n3i_blame(N3_BAD_COUNT, -1, item);
+    if ((m->points > 0 && !m->point) || (m->triangles > 0 && !m->triangle))
+        return n3i_blame(N3_NULL_POINTER, -1, item);
+    i = n3i_outside(m->triangle, m->triangle_stride, m->triangles, 0, m->points);
+    if (i >= 0) return n3i_blame(N3_BAD_TRIANGLE, i / 3, item);
+    i = n3i_not_finite(m->point, m->point_stride, m->points);
+    return i >= 0 ? n3i_blame(N3_BAD_POINT, i, item) : N3_OK;
+}
+
+/* So are the normals, if there are any. */
+NAGATA3_API n3_status n3i_check_normals(const n3_mesh *m, int *item)
+{
+    int i;
+    if (!m->normal) return N3_OK;
+    if (m->normals < 0 || (!m->corner && m->normals != m->points))
+        return n3i_blame(N3_BAD_COUNT, -1, item);
+    if (m->corner) {
+        i = n3i_outside(m->corner, m->corner_stride, m->triangles, 1, m->normals);
+        if (i >= 0) return n3i_blame(N3_BAD_CORNER, i / 3, item);
+    }
+    i = n3i_not_finite(m->normal, m->normal_stride, m->normals);
+    return i >= 0 ? n3i_blame(N3_BAD_NORMAL, i, item) : N3_OK;
+}
+
+/* So is everything, and the topology is of this mesh. */
+NAGATA3_API n3_status n3i_check(const n3_mesh *m, const n3_topology *t, int *item)
+{
+    n3_status status = n3i_check_shape(m, item);
+    if (status == N3_OK) status = n3i_check_normals(m, item);
+    if (status != N3_OK) return status;
+    if (!t) return n3i_blame(N3_NULL_POINTER, -1, item);
+    if (t->points != m->points || t->triangles != m->triangles)
+        return n3i_blame(N3_BAD_COUNT, -1, item);
+    return N3_OK;
+}
+
+/* ---- Definitions: topology ---- */
+
+/* The workspace is three arrays of int: edge, which before it is filled serves as the counters of
+   the points; first, which serves for the sorted sides; side. */
+NAGATA3_API int n3i_edge_room(const n3_mesh *m)
+{
+    int sides = n3i_count_mul(m->triangles, 3), counters = n3i_count_add(m->points, 1);
+    if (sides < 0 || counters < 0 || n3i_count_add(sides, 1) < 0) return -1;
+    return sides > counters ? sides : counters;
+}
+
+NAGATA3_API size_t n3_mesh_workspace(const n3_mesh *m)
+{
+    int room = m ? n3i_edge_room(m) : -1;
+    size_t sides, limit = (size_t)-1 / sizeof(int);
+    if (room < 0) return 0;
+    sides = 3 * (size_t)m->triangles;
+    if ((size_t)room > limit - 1 || sides > (limit - 1 - (size_t)room) / 2) return 0;
+    return ((size_t)room + sides + 1 + sides) * sizeof(int);
+}
+
+/* The higher (high 1) or lower point of a side. */
+NAGATA3_API int n3i_end_of_side(const n3_mesh *m, int s, int high)
+{
+    int a = n3i_at(m, s), b = n3i_at(m, n3i_after(s));
+    return (a > b) == (high != 0) ? a : b;
+}
+
+NAGATA3_API int n3i_has_length(const n3_mesh *m, int s)
+{
+    return n3i_at(m, s) != n3i_at(m, n3i_after(s));
+}
+
+/* Sorts sides by an end, keeping the order of equals. from NULL: all sides that have two ends.
+   Returns how many there are. */
+NAGATA3_API int n3i_sort_sides(const n3_mesh *m, int high, const int *from, int sides, int *count,
+                               int *to)
+{
+    int i, kept = 0;
+    for (i = 0; i <= m->points; i++) count[i] = 0;
+    for (i = 0; i < sides; i++) {
+        int s = from ? from[i] : i;
+        if (!n3i_has_length(m, s)) continue;
+        count[n3i_end_of_side(m, s, high) + 1]++;
+        kept++;
+    }
+    for (i = 0; i < m->points; i++) count[i + 1] += count[i];
+    for (i = 0; i < sides; i++) {
+        int s = from ? from[i] : i;
+        if (n3i_has_length(m, s)) to[count[n3i_end_of_side(m, s, high)]++] = s;
+    }
+    return kept;
+}
+
+/* Sides of one edge lie together in sorted; each takes the first of them for its leader, and then
+   the leaders are numbered. Returns the number of edges. */
+NAGATA3_API int n3i_number_edges(const n3_mesh *m, const int *sorted, int count, int *edge)
+{
+    int sides = 3 * m->triangles, edges = 0, i, leader = -1;
+    for (i = 0; i < sides; i++) edge[i] = -1;
+    for (i = 0; i < count; i++) {
+        int s = sorted[i];
+        if (leader < 0 || n3i_end_of_side(m, s, 0) != n3i_end_of_side(m, leader, 0) ||
+            n3i_end_of_side(m, s, 1) != n3i_end_of_side(m, leader, 1))
+            leader = s;
+        edge[s] = leader;
+    }
+    for (i = 0; i < sides; i++)
+        if (edge[i] >= 0) edge[i] = edge[i] == i ? edges++ : edge[edge[i]];
+    return edges;
+}
+
+/* first counts to the end of each edge's sides and comes down to their beginning. */
+NAGATA3_API void n3i_list_sides(int sides, int edges, const int *edge, int *first, int *side)
+{
+    int i;
+    for (i = 0; i <= edges; i++) first[i] = 0;
+    for (i = 0; i < sides; i++)
+        if (edge[i] >= 0) first[edge[i]]++;
+    for (i = 0; i < edges; i++) first[i + 1] += first[i];
+    for (i = sides - 1; i >= 0; i--)
+        if (edge[i] >= 0) side[--first[edge[i]]] = i;
+}
+
+NAGATA3_API int n3i_count_unused(const n3_mesh *m, int *used)
+{
+    int i, unused = m->points;
+    for (i = 0; i < m->points; i++) used[i] = 0;
+    for (i = 0; i < 3 * m->triangles; i++) {
+        int p = n3i_at(m, i);
+        unused -= !used[p];
+        used[p] = 1;
+    }
+    return unused;
+}
+
+NAGATA3_API n3_status n3_mesh_topology(const n3_mesh *m, void *work, size_t size,
+                                       n3_topology *topology, int *item)
+{
+    n3_status status = n3i_check_shape(m, item);
+    size_t needed = n3_mesh_workspace(m);
+    int *edge = (int *)work, *first, *side, sides, i;
+    if (status != N3_OK) return status;
+    if (!work || !topology) return n3i_blame(N3_NULL_POINTER, -1, item);
+    if (needed == 0) return n3i_blame(N3_BAD_COUNT, -1, item);
+    if (size < needed) return n3i_blame(N3_BAD_WORKSPACE, -1, item);
+    sides = 3 * m->triangles;
+    first = edge + n3i_edge_room(m);
+    side = first + sides + 1;
+    topology->points = m->points;
+    topology->triangles = m->triangles;
+    topology->unused = n3i_count_unused(m, edge);
+    topology->collapsed = 0;
+    for (i = 0; i < m->triangles; i++) topology->collapsed += n3i_is_collapsed(m, i);
+    i = n3i_sort_sides(m, 1, NULL, sides, edge, side);
+    i = n3i_sort_sides(m, 0, side, i, edge, first);
+    topology->edges = n3i_number_edges(m, first, i, edge);
+    n3i_list_sides(sides, topology->edges, edge, first, side);
+    topology->edge = edge;
+    topology->first = first;
+    topology->side = side;
+    return N3_OK;
+}
+
+NAGATA3_API void n3_mesh_edge_ends(const n3_mesh *m, const n3_topology *t, int edge, int end[2])
+{
+    int s = t->side[t->first[edge]];
+    end[0] = n3i_end_of_side(m, s, 0);
+    end[1] = n3i_end_of_side(m, s, 1);
+}
+
+/* The sides of an edge in triangles that are not collapsed: their number, and the first two. */
+NAGATA3_API int n3i_live_sides(const n3_mesh *m, const n3_topology *t, int edge, int two[2])
+{
+    int i, live = 0;
+    two[0] = two[1] = -1;
+    for (i = t->first[edge]; i < t->first[edge + 1]; i++) {
+        int s = t->side[i];
+        if (n3i_is_collapsed(m, s / 3)) continue;
+        if (live < 2) two[live] = s;
+        live++;
+    }
+    return live;
+}
+
+/* Two triangles that agree about which side is outside, by running opposite ways. */
+NAGATA3_API int n3i_is_regular(const n3_mesh *m, const n3_topology *t, int edge, int two[2])
+{
+    return n3i_live_sides(m, t, edge, two) == 2 && n3i_at(m, two[0]) != n3i_at(m, two[1]);
+}
+
+/* ---- Definitions: normals ---- */
+
+/* A triangle's unit normal, zero when it has none; its longest side; the root of twice its area. */
+typedef struct n3i_face { n3_vec normal; int longest; n3_real root; } n3i_face;
+
+/* Seen from the corner that faces the longest side, where the sine is largest. */
+NAGATA3_API n3i_face n3i_face_of(const n3_mesh *m, int triangle)
+{
+    n3i_face face;
+    n3_vec e[3], n;
+    n3_real l[3];
+    int i;
+    for (i = 0; i < 3; i++) {
+        int c = 3 * triangle + i;
+        e[i] = n3_sub(n3i_point(m, n3i_at(m, n3i_after(c))), n3i_point(m, n3i_at(m, c)));
+        l[i] = n3_len(e[i]);
+    }
+    i = l[1] > l[0] ? 1 : 0;
+    if (l[2] > l[i]) i = 2;
+    n = n3_cross(n3_unit(e[(i + 1) % 3]), n3_unit(e[(i + 2) % 3]));
+    face.normal = n3i_clear(n, 1);
+    face.longest = 3 * triangle + i;
+    face.root = n3i_sqrt(l[(i + 1) % 3]) * n3i_sqrt(l[(i + 2) % 3]) * n3i_sqrt(n3_len(n));
+    return face;
+}
+
+/* A triangle without an area counts as part of the one beyond its longest side: so a needle neither
+   cuts a smooth fan nor bridges a crease. */
+NAGATA3_API n3_vec n3i_fan_normal(const n3_mesh *m, const n3_topology *t, int triangle)
+{
+    n3i_face face = n3i_face_of(m, triangle);
+    int two[2], edge = t->edge[face.longest];
+    if (!n3i_is_zero(face.normal) || edge < 0 || !n3i_is_regular(m, t, edge, two))
+        return face.normal;
+    return n3i_face_of(m, (two[0] == face.longest ? two[1] : two[0]) / 3).normal;
+}
+
+NAGATA3_API int n3i_is_crease(const n3_mesh *m, const n3_topology *t, int edge, n3_real cos_crease,
+                              const unsigned char *mark)
+{
+    int i, two[2];
+    n3_vec n0, n1;
+    if (!n3i_is_regular(m, t, edge, two)) return 1;
+    for (i = t->first[edge]; mark && i < t->first[edge + 1]; i++)
+        if (mark[t->side[i]]) return 1;
+    if (cos_crease <= -1) return 0;
+    n0 = n3i_fan_normal(m, t, two[0] / 3);
+    n1 = n3i_fan_normal(m, t, two[1] / 3);
+    return n3i_is_zero(n0) || n3i_is_zero(n1) || !(n3_dot(n0, n1) >= cos_crease);
+}
+
+/* Fans are a forest of corners that link to lower ones. */
+NAGATA3_API int n3i_root(int *link, int c)
+{
+    while (link[c] != c) {
+        link[c] = link[link[c]];
+        c = link[c];
+    }
+    return c;
+}
+
+NAGATA3_API void n3i_join(int *link, int a, int b)
+{
+    a = n3i_root(link, a);
+    b = n3i_root(link, b);
+    if (a < b) link[b] = a;
+    else link[a] = b;
+}
+
+NAGATA3_API void n3i_make_fans(const n3_mesh *m, const n3_topology *t, n3_real cos_crease,
+                               const unsigned char *mark, int *link)
+{
+    int i, edge, two[2];
+    for (i = 0; i < 3 * m->triangles; i++) link[i] = i;
+    for (edge = 0; edge < t->edges; edge++) {
+        if (n3i_is_crease(m, t, edge, cos_crease, mark)) continue;
+        n3i_live_sides(m, t, edge, two);
+        n3i_join(link, two[0], n3i_after(two[1]));
+        n3i_join(link, two[1], n3i_after(two[0]));
+    }
+}
+
+/* The normal given for a corner, -1: none, or zero. */
+NAGATA3_API int n3i_given(const n3_mesh *m, int c)
+{
+    int i = n3i_normal_at(m, c);
+    return i >= 0 && n3i_is_zero(n3i_vec_at(m->normal, m->normal_stride, i)) ? -1 : i;
+}
+
+/* From links to indices of normals: given ones, and from first on one for each fan that has a
+   corner without, negative while it stands beside links. Returns the number of normals. */
+NAGATA3_API int n3i_number_fans(const n3_mesh *m, int first, int *corner)
+{
+    int c, next = first, corners = 3 * m->triangles;
+    for (c = 0; c < corners; c++) corner[c] = corner[corner[c]];
+    for (c = 0; c < corners; c++) {
+        int root = corner[c], given = n3i_given(m, c);
+        if (given < 0 && corner[root] >= 0) corner[root] = -1 - next++;
+        if (c != root) corner[c] = given < 0 ? corner[root] : given;
+    }
+    for (c = 0; c < corners; c++) {
+        int given = n3i_given(m, c);
+        if (given >= 0) corner[c] = given;
+        else if (corner[c] < 0) corner[c] = -1 - corner[c];
+    }
+    return next;
+}
+
+/* The largest component of a way from the first point: the size that lengths are measured by. */
+NAGATA3_API n3_real n3i_mesh_size(const n3_mesh *m)
+{
+    n3_real size = 0;
+    int i;
+    for (i = 1; i < m->points; i++)
+        size = n3i_larger(size, n3i_largest(n3_sub(n3i_point(m, i), n3i_point(m, 0))));
+    return size;
+}
+
+/* Max's term (e0 x e1) / (|e0|^2 |e1|^2) at a corner, in units of 1/size^2. Sides below eps^2 of
+   the size count as that long, so that the square of a term is in range; an angle that is rounding
+   gives zero. */
+NAGATA3_API n3_vec n3i_corner_term(const n3_mesh *m, int c, n3_real size)
+{
+    int b = n3i_after(c);
+    n3_vec x = n3i_point(m, n3i_at(m, c)), n;
+    n3_vec e0 = n3_sub(n3i_point(m, n3i_at(m, b)), x);
+    n3_vec e1 = n3_sub(n3i_point(m, n3i_at(m, n3i_after(b))), x);
+    n3_real l0 = n3i_larger(n3_len(e0) / size, N3_EPS * N3_EPS);
+    n3_real l1 = n3i_larger(n3_len(e1) / size, N3_EPS * N3_EPS);
+    n = n3_cross(n3_unit(e0), n3_unit(e1));
+    if (!(n3_len(n) > N3_NOISE)) return n3_v(0, 0, 0);
+    return n3i_over(n3i_over(n, l0), l1);
+}
+
+/* Max's sums, unit, where they keep half their digits; zero where they cancel. */
+NAGATA3_API void n3i_sum_fans(const n3_mesh *m, const int *corner, int first, int last,
+                              n3_real size, n3_vec *normal)
+{
+    int c, corners = 3 * m->triangles;
+    for (c = first; c < last; c++) normal[c] = n3_v(0, 0, 0);
+    for (c = 0; c < corners; c++) {
+        n3_vec *sum = normal + corner[c];
+        if (corner[c] >= first) *sum = n3_add(*sum, n3i_corner_term(m, c, size));
+    }
+    for (c = 0; c < corners; c++) {
+        n3_vec *sum = normal + corner[c];
+        if (corner[c] < first) continue;
+        if (n3_len(*sum) <= N3_OPPOSITE * n3_len(n3i_corner_term(m, c, size)))
+            *sum = n3_v(0, 0, 0);
+    }
+    for (c = first; c < last; c++) normal[c] = n3_unit(normal[c]);
+}
+
+/* Fans that are zero take the normal of their largest triangle, of two alike the one that comes
+   first in n3i_order. While they wait it is shorter than 1/2, as no side is longer than 4 size. */
+NAGATA3_API void n3i_mend_fans(const n3_mesh *m, const int *corner, int first, int last,
+                               n3_real size, n3_vec *normal)
+{
+    int c;
+    for (c = 0; c < 3 * m->triangles; c++) {
+        n3_vec *best = normal + corner[c], n;
+        n3_real longer;
+        n3i_face face;
+        if (corner[c] < first || n3_dot(*best, *best) > (n3_real)1 / 2) continue;
+        face = n3i_face_of(m, c / 3);
+        n = n3_mul(face.root / size / 8, face.normal);
+        longer = n3_len(n) - n3_len(*best);
+        if (longer > 0 || (longer >= 0 && n3i_order(n, *best) < 0)) *best = n;
+    }
+    for (c = first; c < last; c++) normal[c] = n3_unit(normal[c]);
+}
+
+NAGATA3_API n3_status n3_mesh_normals(const n3_mesh *m, const n3_topology *t, n3_real cos_crease,
+                                      const unsigned char *mark, n3_vec *normal, int *corner,
+                                      int *normals, int *item)
+{
+    n3_status status = n3i_check(m, t, item);
+    int i, first, last;
+    n3_real size;
+    if (status != N3_OK) return status;
+    first = m->normal ? m->normals : 0;
+    if (n3i_count_add(first, 3 * m->triangles) < 0) return n3i_blame(N3_BAD_COUNT, -1, item);
+    if (!normals || (m->triangles > 0 && (!normal || !corner)))
+        return n3i_blame(N3_NULL_POINTER, -1, item);
+    size = n3i_mesh_size(m);
+    for (i = 0; i < first; i++)
+        normal[i] = n3i_made_unit(n3i_vec_at(m->normal, m->normal_stride, i));
+    n3i_make_fans(m, t, cos_crease, mark, corner);
+    last = n3i_number_fans(m, first, corner);
+    n3i_sum_fans(m, corner, first, last, size, normal);
+    n3i_mend_fans(m, corner, first, last, size, normal);
+    *normals = last;
+    return N3_OK;
+}
+
+/* ---- Definitions: the net ---- */
+
+/* What the triangles bring to one end of an edge. n: the one normal, or the unit sum of all;
+   crease: the direction along all tangent planes, zero when there is none, and its share in the
+   tangent; split: there is more than one tangent plane. */
+typedef struct n3i_joint { n3_vec n, crease; n3_real share; int split; } n3i_joint;
+
+/* The normals that a triangle brings to the ends of an edge. */
+typedef struct n3i_pair { n3_vec n[2]; } n3i_pair;
+
+/* As many different pairs are looked at, the first in order. */
+enum { N3I_PAIRS = 16 };
+
+NAGATA3_API int n3i_pair_order(n3i_pair a, n3i_pair b)
+{
+    int order = n3i_order(a.n[0], b.n[0]);
+    return order ? order : n3i_order(a.n[1], b.n[1]);
+}
+
+/* Into a list in order without repetition; returns its length. */
+NAGATA3_API int n3i_insert(n3i_pair *list, int count, n3i_pair p)
+{
+    int i, place = count;
+    while (place > 0 && n3i_pair_order(p, list[place - 1]) < 0) place--;
+    if (place > 0 && n3i_pair_order(p, list[place - 1]) == 0) return count;
+    if (place == N3I_PAIRS) return count;
+    if (count < N3I_PAIRS) count++;
+    for (i = count - 1; i > place; i--) list[i] = list[i - 1];
+    list[place] = p;
+    return count;
+}
+
+/* From the triangles that are not collapsed, if there are any; the end that is the point from
+   first. */
+NAGATA3_API int n3i_collect(const n3_mesh *m, const n3_topology *t, int edge, int from,
+                            n3i_pair *list)
+{
+    int i, two[2], count = 0, live = n3i_live_sides(m, t, edge, two);
+    for (i = t->first[edge]; i < t->first[edge + 1]; i++) {
+        int s = t->side[i], back = n3i_at(m, s) != from;
+        n3i_pair p;
+        if (live && n3i_is_collapsed(m, s / 3)) continue;
+        p.n[back] = n3i_corner_normal(m, s);
+        p.n[!back] = n3i_corner_normal(m, n3i_after(s));
+        count = n3i_insert(list, count, p);
+    }
+    return count;
+}
+
+/* Tolerances of the crease: sines of the angle between normals. Up to the first, 1.1 degrees,
+   their difference is noise and its direction means nothing; from the second, 5.7, it is meant. */
+#define N3_CREASE_LO ((n3_real)1 / 50)
+#define N3_CREASE_HI ((n3_real)1 / 10)
+
+/* The crosses of the pairs, turned along the chord e: their sum, as the crease, and the share that
+   it has in the tangent. A crease more than 75 degrees off the chord fades out: its curve could
+   only spike. */
+NAGATA3_API n3i_joint n3i_joint_of_pairs(const n3_vec *n, int count, n3_vec e)
+{
+    n3i_joint joint;
+    n3_real sine = 0, along;
+    int i, k, opposed = 0;
+    joint.n = joint.crease = n3_v(0, 0, 0);
+    for (i = 0; i < count; i++)
+        for (k = i + 1; k < count; k++) {
+            n3_vec c = n3_cross(n[i], n[k]);
+            sine = n3i_larger(sine, n3_len(c));
+            if (n3_dot(n[i], n[k]) < 0) opposed = 1;
+            joint.crease = n3_add(joint.crease, n3_dot(c, e) < 0 ? n3i_neg(c) : c);
+        }
+    joint.crease = n3_unit(joint.crease);
+    joint.split = sine > N3_CREASE_LO;
+    along = 16 * n3_dot(joint.crease, e) * n3_dot(joint.crease, e);
+    joint.share = opposed ? 1 : (sine - N3_CREASE_LO) / (N3_CREASE_HI - N3_CREASE_LO);
+    joint.share = n3i_larger(joint.share, 0);
+    if (joint.share > 1) joint.share = 1;
+    joint.share *= along < 1 ? along : 1;
+    if (!joint.split) joint.share = 0;
+    return joint;
+}
+
+/* From the normals of an end, in order: zero ones left out, equal ones taken once. On one tangent
+   plane normals that look to its other side are turned; on several the sum may vanish, which
+   leaves this end without a normal. */
+NAGATA3_API n3i_joint n3i_joint_make(const n3i_pair *list, int count, int end, n3_vec e)
+{
+    n3_vec n[N3I_PAIRS], sum = n3_v(0, 0, 0);
+    n3i_joint joint;
+    int i, k, kept = 0;
+    for (i = 0; i < count; i++) {
+        n3_vec a = list[i].n[end];
+        for (k = 0; k < kept && n3i_order(n[k], a) != 0; k++) continue;
+        if (k == kept && !n3i_is_zero(a)) n[kept++] = a;
+    }
+    joint = n3i_joint_of_pairs(n, kept, e);
+    for (i = 0; i < kept; i++)
+        sum = n3_add(sum, !joint.split && n3_dot(n[i], n[0]) < 0 ? n3i_neg(n[i]) : n[i]);
+    if (n3_len(sum) > N3_OPPOSITE) joint.n = kept == 1 ? n[0] : n3_unit(sum);
+    return joint;
+}
+
+/* An edge of the mesh with its ends in canonical order, by place, then by number. */
+typedef struct n3i_seam { int point[2]; n3_vertex end[2]; n3i_joint joint[2]; } n3i_seam;
+
+NAGATA3_API n3i_seam n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edge)
+{
+    n3i_seam seam;
+    n3i_pair list[N3I_PAIRS];
+    n3_vec e;
+    int i, count;
+    n3_mesh_edge_ends(m, t, edge, seam.point);
+    if (n3i_order(n3i_point(m, seam.point[0]), n3i_point(m, seam.point[1])) > 0) {
+        i = seam.point[0];
+        seam.point[0] = seam.point[1];
+        seam.point[1] = i;
+    }
+    for (i = 0; i < 2; i++) seam.end[i].x = n3i_point(m, seam.point[i]);
+    e = n3_unit(n3_sub(seam.end[1].x, seam.end[0].x));
+    count = n3i_collect(m, t, edge, seam.point[0], list);
+    for (i = 0; i < 2; i++) {
+        seam.joint[i] = n3i_joint_make(list, count, i, e);
+        seam.end[i].n = seam.joint[i].n;
+    }
+    return seam;
+}
+
+/* The end of a curve that leaves its end with the unit tangent t, clamped as the paper does. */
+NAGATA3_API n3i_end n3i_end_of_tangent(n3_vec t, n3_vec e, const n3_options *o)
+{
+    n3i_end end;
+    end.cos = n3_dot(t, e);
+    end.sin = n3_len(n3_cross(t, e));
+    end.tan = end.sin < o->tan_hi * end.cos ? end.sin / end.cos : o->tan_hi;       /* (5.1.12) */
+    end.tan = n3i_larger(end.tan, o->tan_lo);                                      /* (5.1.11) */
+    end.along = 0;
+    return end;
+}
+
+/* The unit tangents at the ends of the seam: those of the rule, from an edge that begins in the
+   origin so that no digits are lost to where it lies, each turned into its crease by its share. */
+NAGATA3_API void n3i_seam_tangents(const n3i_seam *seam, const n3_options *o, n3_vec tangent[2])
+{
+    n3_vertex a = seam->end[0], b = seam->end[1];
+    n3_edge c;
+    int i;
+    b.x = n3_sub(b.x, a.x);
+    a.x = n3_v(0, 0, 0);
+    c = n3_edge_make(a, b, o);
+    tangent[0] = n3_unit(c.p[1]);
+    tangent[1] = n3_unit(n3_sub(c.p[3], c.p[2]));
+    for (i = 0; i < 2; i++) {
+        n3_real w = seam->joint[i].share;
+        n3_vec turn = n3_mul(w, seam->joint[i].crease);
+        if (w > 0) tangent[i] = n3_unit(n3_add(n3_mul(1 - w, tangent[i]), turn));
+    }
+}
+
+/* Where an end is a crease both handles are computed anew for the tangents: by the paper as ever,
+   by the arc rule (2 L / 3) / (1 + cos a) with |t0 + t1| = 2 cos a. */
+NAGATA3_API n3_edge n3i_seam_edge(const n3i_seam *seam, const n3_options *given)
+{
+    n3_options o = n3i_defaults(given);
+    n3_vec x0 = seam->end[0].x, x1 = seam->end[1].x, d = n3_sub(x1, x0), e = n3_unit(d), t[2];
+    n3_real L = n3_len(d), ds, de;
+    if (!(seam->joint[0].share > 0) && !(seam->joint[1].share > 0))
+        return n3_edge_make(seam->end[0], seam->end[1], given);
+    n3i_seam_tangents(seam, given, t);
+    if (n3i_is_arc(&o)) {
+        ds = de = 2 * L / 3 / (1 + n3_len(n3_add(t[0], t[1])) / 2);
+    } else {
+        n3i_end start = n3i_end_of_tangent(t[0], e, &o), stop = n3i_end_of_tangent(t[1], e, &o);
+        ds = n3i_handle(start, stop, L);                                           /* (5.1.13) */
+        de = n3i_handle(stop, start, L);                                           /* (5.1.14) */
+    }
+    return n3i_edge_of(x0, n3_add(x0, n3_mul(ds, t[0])), n3_sub(x1, n3_mul(de, t[1])), x1);
+}
+
+/* The bits that the shape of an edge gives. */
+NAGATA3_API unsigned n3i_shape_flags(const n3i_seam *seam, const n3_options *given)
+{
+    n3_options o = n3i_defaults(given);
+    n3_vec e = n3_unit(n3_sub(seam->end[1].x, seam->end[0].x)), t[2], bend[2];
+    unsigned flags = 0;
+    int i;
+    if (n3i_is_zero(e)) return N3_EDGE_DEGENERATE;
+    n3i_seam_tangents(seam, given, t);
+    for (i = 0; i < 2; i++) bend[i] = n3_cross(e, t[i]);
+    if (n3_len(bend[0]) <= N3_NOISE && n3_len(bend[1]) <= N3_NOISE) return N3_EDGE_STRAIGHT;
+    if (n3_dot(bend[0], bend[1]) > 0) flags |= N3_EDGE_S_SHAPED;
+    if (n3i_is_arc(&o)) return flags;
+    if (n3_dot(n3_cross(e, seam->end[0].n), n3_cross(e, seam->end[1].n)) < 0)
+        flags |= N3_EDGE_TURNED;
+    for (i = 0; i < 2; i++) {
+        n3_real cosine = n3_dot(t[i], e), sine = n3_len(bend[i]);
+        if (sine > o.tan_hi * cosine || sine < o.tan_lo * cosine) flags |= N3_EDGE_CLAMPED;
+        if (cosine < (n3_real)1 / 2) flags |= N3_EDGE_BRANCH_60;
+    }
+    return flags;
+}
+
+/* The bits that its triangles give. */
+NAGATA3_API unsigned n3i_face_flags(const n3_mesh *m, const n3_topology *t, int edge)
+{
+    int two[2], live = n3i_live_sides(m, t, edge, two);
+    if (live == 1) return N3_EDGE_BORDER;
+    if (live > 2) return N3_EDGE_NON_MANIFOLD;
+    return live == 2 && n3i_at(m, two[0]) == n3i_at(m, two[1]) ? N3_EDGE_FLIPPED : 0;
+}
+
+NAGATA3_API unsigned n3i_seam_flags(const n3i_seam *seam, const n3_options *o)
+{
+    int split = seam->joint[0].split + seam->joint[1].split;
+    unsigned crease = split == 2 ? N3_EDGE_CREASE : split == 1 ? N3_EDGE_HALF_CREASE : 0;
+    return crease | n3i_shape_flags(seam, o);
+}
+
+/* A chord's row of the fit, [x^3, s x^2 y, s x y^2, y^3 | -12 <d, n>], s = sqrt 3, enters the
+   normal equations. Lengths are in units of size. */
+NAGATA3_API void n3i_fit_chord(n3_vertex p, n3_vertex q, const n3_vec frame[2], n3_real size,
+                               n3_real A[4][5])
+{
+    n3_vec d = n3i_over(n3_sub(q.x, p.x), size), sum = n3_add(p.n, q.n);
+    n3_real x = n3_dot(d, frame[0]), y = n3_dot(d, frame[1]), s = n3i_sqrt(3), row[5];
+    int i, k;
+    if (n3_len(sum) <= N3_OPPOSITE) return;
+    row[0] = x * x * x;
+    row[1] = s * x * x * y;
+    row[2] = s * x * y * y;
+    row[3] = y * y * y;
+    row[4] = -12 * n3_dot(d, n3_unit(sum));
+    for (i = 0; i < 4; i++)
+        for (k = 0; k < 5; k++) A[i][k] += row[i] * row[k];
+}
+
+/* The second unknown of four; the ridge keeps the pivots above zero, but where all is zero. */
+NAGATA3_API n3_real n3i_fit_solve(n3_real A[4][5])
+{
+    static const int order[4] = {0, 2, 3, 1};
+    n3_real trace = A[0][0] + A[1][1] + A[2][2] + A[3][3];
+    int i, j, k;
+    if (!(trace > 0)) return 0;
+    for (i = 0; i < 4; i++) A[i][i] += trace / 4 / 1000;
+    for (i = 0; i < 3; i++)
+        for (j = i + 1; j < 4; j++) {
+            int p = order[i], r = order[j];
+            n3_real factor = A[r][p] / A[p][p];
+            for (k = 0; k < 5; k++) A[r][k] -= factor * A[p][k];
+        }
+    return A[1][4] / A[1][1];
+}
+
+NAGATA3_API n3_vec n3_edge_mid_normal(n3_vertex a, n3_vertex b, n3_vertex c, n3_vertex d)
+{
+    n3_vertex v[4];
+    n3_vec m, ab, frame[2];
+    n3_real size = 0, slope, part, A[4][5] = {{0}};
+    int i, k, swapped = n3i_sort_ends(&a, &b);
+    v[0] = a;
+    v[1] = b;
+    v[2] = swapped ? d : c;
+    v[3] = swapped ? c : d;
+    m = n3_unit(n3_add(a.n, b.n));
+    ab = n3_sub(b.x, a.x);
+    frame[1] = n3_unit(n3_cross(m, n3_unit(ab)));
+    frame[0] = n3_cross(frame[1], m);
+    for (i = 1; i < 4; i++) size = n3i_larger(size, n3i_largest(n3_sub(v[i].x, a.x)));
+    if (!(size > 0)) return m;
+    for (i = 0; i < 4; i++)
+        for (k = i + 1; k < 4; k++) n3i_fit_chord(v[i], v[k], frame, size, A);
+    part = n3_len(ab) / size;
+    slope = n3i_fit_solve(A) / n3i_sqrt(3) * part * part / 8;
+    if (slope > (n3_real)1 / 4) slope = (n3_real)1 / 4;
+    if (slope < -(n3_real)1 / 4) slope = -(n3_real)1 / 4;
+    return n3_add(m, n3_mul(slope, frame[1]));
+}
+
+NAGATA3_API n3_vertex n3i_corner(const n3_mesh *m, int c)
+{
+    n3_vertex v;
+    v.x = n3i_point(m, n3i_at(m, c));
+    v.n = n3i_corner_normal(m, c);
+    return v;
+}
+
+/* The wanted normal at the middle of a side: fitted at an edge of two triangles on one tangent
+   plane, and then the same from both; else the sum of the ends'. */
+NAGATA3_API n3_vec n3i_side_mid(const n3_mesh *m, const n3_topology *t, int s)
+{
+    int edge = t->edge[s], two[2], back;
+    n3_vec sum = n3_add(n3i_corner_normal(m, s), n3i_corner_normal(m, n3i_after(s)));
+    n3i_seam seam;
+    if (edge < 0 || !n3i_is_regular(m, t, edge, two)) return sum;
+    seam = n3i_seam_of(m, t, edge);
+    if (seam.joint[0].split || seam.joint[1].split) return sum;
+    back = n3i_at(m, two[0]) != seam.point[0];
+    return n3_edge_mid_normal(seam.end[0], seam.end[1],
+                              n3i_corner(m, n3i_after(n3i_after(two[back]))),
+                              n3i_corner(m, n3i_after(n3i_after(two[!back]))));
+}
+
+NAGATA3_API n3_vec n3i_mesh_centre(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+                                   const n3_vec *net, int triangle)
+{
+    n3_edge e[3];
+    n3_patch p;
+    n3_vec n[3], mid[3];
+    int i;
+    n3_mesh_patches(m, t, net, triangle, triangle + 1, &p);
+    n3_patch_edges(&p, e);
+    if (!n3i_is_arc(o)) return n3_patch_centre(&e[0], &e[1], &e[2]);
+    for (i = 0; i < 3; i++) n[i] = n3i_corner_normal(m, 3 * triangle + i);
+    if (o->rule != N3_RULE_FIT) return n3_patch_centre_arc(&e[0], &e[1], &e[2], n, NULL);
+    for (i = 0; i < 3; i++) mid[i] = n3i_side_mid(m, t, 3 * triangle + i);
+    return n3_patch_centre_arc(&e[0], &e[1], &e[2], n, mid);
+}
+
+NAGATA3_API int n3_mesh_nodes(const n3_mesh *m, const n3_topology *t)
+{
+    int inner = n3i_count_add(n3i_count_mul(2, t->edges), m->triangles);
+    int nodes = n3i_count_add(m->points, inner);
+    return nodes < 0 ? 0 : nodes;
+}
+
+NAGATA3_API n3_status n3_mesh_net(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+                                  n3_vec *net, unsigned *flags, int *item)
+{
+    n3_status status = n3i_check(m, t, item);
+    int i, nodes;
+    if (status != N3_OK) return status;
+    nodes = n3_mesh_nodes(m, t);
+    if (nodes < m->points) return n3i_blame(N3_BAD_COUNT, -1, item);
+    if (nodes > 0 && !net) return n3i_blame(N3_NULL_POINTER, -1, item);
+    for (i = 0; i < m->points; i++) net[i] = n3i_point(m, i);
+    for (i = 0; i < t->edges; i++) {
+        n3i_seam seam = n3i_seam_of(m, t, i);
+        n3_edge c = n3i_seam_edge(&seam, o);
+        int back = seam.point[0] > seam.point[1];
+        net[m->points + 2 * i + back] = c.p[1];
+        net[m->points + 2 * i + !back] = c.p[2];
+        if (flags) flags[i] = n3i_seam_flags(&seam, o) | n3i_face_flags(m, t, i);
+    }
+    for (i = 0; i < m->triangles; i++) {
+        n3_vec *centre = net + m->points + 2 * t->edges + i;
+        *centre = n3_v(0, 0, 0);
+        *centre = n3i_mesh_centre(m, t, o, net, i);
+    }
+    return N3_OK;
+}
+
+NAGATA3_API void n3_mesh_patch_nodes(const n3_mesh *m, const n3_topology *t, int triangle,
+                                     int node[10])
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        int s = 3 * triangle + i, a = n3i_at(m, s), edge = t->edge[s];
+        int back = a > n3i_at(m, n3i_after(s));
+        node[i] = a;
+        node[3 + 2 * i] = edge < 0 ? a : m->points + 2 * edge + back;
+        node[4 + 2 * i] = edge < 0 ? a : m->points + 2 * edge + !back;
+    }
+    node[9] = m->points + 2 * t->edges + triangle;
+}
+
+NAGATA3_API void n3_mesh_patches(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                 int first, int last, n3_patch *out)
+{
+    int f, i, node[10];
+    for (f = first; f < last; f++, out++) {
+        n3_mesh_patch_nodes(m, t, f, node);
+        for (i = 0; i < 10; i++) out->p[i] = net[node[i]];
+    }
+}
+
+NAGATA3_API n3_patch n3i_mesh_patch(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                    int triangle)
+{
+    n3_patch p;
+    n3_mesh_patches(m, t, net, triangle, triangle + 1, &p);
+    return p;
+}
+
+/* ---- Definitions: refinement ---- */
+
+/* Points inside a patch. */
+NAGATA3_API int n3i_inside(int level)
+{
+    int square = n3i_count_mul(level - 1, level - 2);
+    return square < 0 ? -1 : square / 2;
+}
+
+NAGATA3_API n3_status n3_mesh_refine_counts(const n3_mesh *m, const n3_topology *t, int level,
+                                            int *points, int *triangles, int *normals)
+{
+    int live, p, f, n;
+    if (!m || !t) return N3_NULL_POINTER;
+    if (level < 1 || level > N3I_COUNT_LIMIT - 3) return N3_BAD_COUNT;
+    live = t->triangles - t->collapsed;
+    p = n3i_count_add(t->points, n3i_count_mul(level - 1, t->edges));
+    p = n3i_count_add(p, n3i_count_mul(n3i_inside(level), live));
+    f = n3i_count_mul(n3i_count_mul(level, level), live);
+    n = n3i_count_mul(n3i_inside(level + 3), live);
+    if (p < 0 || n < 0 || n3i_count_mul(3, f) < 0) return N3_BAD_COUNT;
+    if (points) *points = p;
+    if (triangles) *triangles = f;
+    if (normals) *normals = n;
+    return N3_OK;
+}
+
+/* Where the points of a refined patch are: k steps along side i from its corner, start + k step;
+   those inside from there on. */
+typedef struct n3i_lattice { int level, corner[3], start[3], step[3], inside; } n3i_lattice;
+
+/* live counts the triangles before this one that are not collapsed. */
+NAGATA3_API n3i_lattice n3i_lattice_of(const n3_mesh *m, const n3_topology *t, int level,
+                                       int triangle, int live)
+{
+    n3i_lattice g;
+    int i;
+    g.level = level;
+    g.inside = m->points + (level - 1) * t->edges + n3i_inside(level) * live;
+    for (i = 0; i < 3; i++) {
+        int s = 3 * triangle + i, edge = t->edge[s], base = m->points + (level - 1) * edge;
+        int up = n3i_at(m, s) < n3i_at(m, n3i_after(s));
+        g.corner[i] = n3i_at(m, s);
+        g.start[i] = edge < 0 ? g.corner[i] : up ? base - 1 : base + level - 1;
+        g.step[i] = edge < 0 ? 0 : up ? 1 : -1;
+    }
+    return g;
+}
+
+/* The point at u = i / level, v = j / level. */
+NAGATA3_API int n3i_lattice_point(const n3i_lattice *g, int i, int j)
+{
+    int k = g->level - i - j, n = g->level;
+    if (i == n || j == n || k == n) return g->corner[i == n ? 1 : j == n ? 2 : 0];
+    if (j == 0) return g->start[0] + g->step[0] * i;
+    if (k == 0) return g->start[1] + g->step[1] * j;
+    if (i == 0) return g->start[2] + g->step[2] * k;
+    return g->inside + (j - 1) * (n - 1) - (j - 1) * j / 2 + i - 1;
+}
+
+/* The numbers u and v there; on bc so that 1 - u - v is exactly 0. */
+NAGATA3_API void n3i_lattice_uv(int level, int i, int j, n3_real *u, n3_real *v)
+{
+    *u = (n3_real)i / (n3_real)level;
+    *v = i + j == level ? 1 - *u : (n3_real)j / (n3_real)level;
+}
+
+/* Points of the edges: from the canonical end, so that numbering the points anew changes none. */
+NAGATA3_API void n3i_refine_edges(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                  int level, n3_vec *point)
+{
+    int edge, k, end[2];
+    for (edge = 0; edge < t->edges; edge++) {
+        n3_vec *out = point + m->points + (level - 1) * edge;
+        const n3_vec *handle = net + m->points + 2 * edge;
+        n3_edge e;
+        int back;
+        n3_mesh_edge_ends(m, t, edge, end);
+        e = n3i_edge_of(net[end[0]], handle[0], handle[1], net[end[1]]);
+        back = n3i_edge_order(&e) > 0;
+        if (back) e = n3_edge_reverse(&e);
+        for (k = 1; k < level; k++)
+            out[(back ? level - k : k) - 1] = n3_edge_point(&e, (n3_real)k / (n3_real)level);
+    }
+}
+
+NAGATA3_API void n3i_refine_points(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                   int level, n3_vec *point)
+{
+    int f, i, j;
+    n3_real u, v;
+    for (i = 0; i < m->points; i++) point[i] = net[i];
+    n3i_refine_edges(m, t, net, level, point);
+    point += m->points + (level - 1) * t->edges;
+    for (f = 0; f < m->triangles; f++) {
+        n3_patch p = n3i_mesh_patch(m, t, net, f);
+        if (n3i_is_collapsed(m, f)) continue;
+        for (j = 1; j < level - 1; j++)
+            for (i = 1; i < level - j; i++) {
+                n3i_lattice_uv(level, i, j, &u, &v);
+                *point++ = n3_patch_point(&p, u, v);
+            }
+    }
+}
+
+NAGATA3_API void n3i_refine_normals(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                    int level, n3_vec *normal)
+{
+    int f, i, j;
+    n3_real u, v;
+    for (f = 0; f < m->triangles; f++) {
+        n3_patch p = n3i_mesh_patch(m, t, net, f);
+        if (n3i_is_collapsed(m, f)) continue;
+        for (j = 0; j <= level; j++)
+            for (i = 0; i <= level - j; i++) {
+                n3i_lattice_uv(level, i, j, &u, &v);
+                *normal++ = n3_patch_normal(&p, u, v);
+            }
+    }
+}
+
+/* A triangle of the lattice, with (i, j) at its right angle; side 1 up, -1 down. */
+NAGATA3_API void n3i_refine_triangle(const n3i_lattice *g, int i, int j, int side, int first,
+                                     int *triangle, int *corner)
+{
+    int k, at[3][2];
+    at[0][0] = at[2][0] = i;
+    at[0][1] = at[1][1] = j;
+    at[1][0] = i + side;
+    at[2][1] = j + side;
+    for (k = 0; k < 3; k++) {
+        int row = at[k][1];
+        if (triangle) triangle[k] = n3i_lattice_point(g, at[k][0], row);
+        if (corner) corner[k] = first + row * (g->level + 1) - row * (row - 1) / 2 + at[k][0];
+    }
+}
+
+NAGATA3_API void n3i_refine_triangles(const n3_mesh *m, const n3_topology *t, int level,
+                                      int *triangle, int *corner)
+{
+    int f, i, j, live = 0, made = 0;
+    for (f = 0; f < m->triangles; f++) {
+        n3i_lattice g = n3i_lattice_of(m, t, level, f, live);
+        int first = n3i_inside(level + 3) * live;
+        if (n3i_is_collapsed(m, f)) continue;
+        live++;
+        for (j = 0; j < level; j++)
+            for (i = 0; i < 2 * (level - j) - 1; i++, made += 3) {
+                int down = i % 2, k = (i + 1) / 2; /* up (k, j), or down (k, j + 1) */
+                n3i_refine_triangle(&g, k, j + down, down ? -1 : 1, first,
+                                    triangle ? triangle + made : NULL,
+                                    corner ? corner + made : NULL);
+            }
+    }
+}
+
+/* From the last triangle to the first, so that the lowest stays. A collapsed one has no points
+   inside. */
+NAGATA3_API void n3i_refine_parents(const n3_mesh *m, const n3_topology *t, int level, int *parent,
+                                    n3_real *uv)
+{
+    int f, i, j, live = m->triangles - t->collapsed;
+    for (i = 0; i < m->points; i++) {
+        if (parent) parent[i] = -1;
+        if (uv) uv[2 * i] = uv[2 * i + 1] = 0;
+    }
+    for (f = m->triangles - 1; f >= 0; f--) {
+        int collapsed = n3i_is_collapsed(m, f);
+        n3i_lattice g = n3i_lattice_of(m, t, level, f, live -= !collapsed);
+        for (j = level; j >= 0; j--)
+            for (i = level - j; i >= 0; i--) {
+                int k = n3i_lattice_point(&g, i, j);
+                if (collapsed && i > 0 && j > 0 && i + j < level) continue;
+                if (parent) parent[k] = f;
+                if (uv) n3i_lattice_uv(level, i, j, &uv[2 * (size_t)k], &uv[2 * (size_t)k + 1]);
+            }
+    }
+}
+
+NAGATA3_API n3_status n3_mesh_refine(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                     int level, n3_vec *point, int *triangle, n3_vec *normal,
+                                     int *corner, int *parent, n3_real *uv)
+{
+    n3_status status = n3i_check(m, t, NULL);
+    if (status == N3_OK) status = n3_mesh_refine_counts(m, t, level, NULL, NULL, NULL);
+    if (status != N3_OK) return status;
+    if ((point || normal) && !net) return N3_NULL_POINTER;
+    if (point) n3i_refine_points(m, t, net, level, point);
+    if (triangle || corner) n3i_refine_triangles(m, t, level, triangle, corner);
+    if (normal) n3i_refine_normals(m, t, net, level, normal);
+    if (parent || uv) n3i_refine_parents(m, t, level, parent, uv);
+    return N3_OK;
+}
+
+/* Values of the Lagrange polynomials: corners, then nodes of the sides, then the middle. */
+NAGATA3_API void n3i_lagrange(int degree, n3_real u, n3_real v, n3_real weight[10])
+{
+    n3_real L[3], nine_halves = (n3_real)9 / 2;
+    int i;
+    L[0] = 1 - u - v;
+    L[1] = u;
+    L[2] = v;
+    for (i = 0; i < 3; i++) {
+        n3_real a = L[i], b = L[(i + 1) % 3];
+        if (degree == 1) weight[i] = a;
+        if (degree == 2) weight[i] = a * (2 * a - 1);
+        if (degree == 2) weight[3 + i] = 4 * a * b;
+        if (degree == 3) weight[i] = a * (3 * a - 1) * (3 * a - 2) / 2;
+        if (degree == 3) weight[3 + 2 * i] = nine_halves * a * b * (3 * a - 1);
+        if (degree == 3) weight[4 + 2 * i] = nine_halves * a * b * (3 * b - 1);
+    }
+    if (degree == 3) weight[9] = 27 * u * v * L[0];
+}
+
+/* The nodes of a triangle in the field, in the order of the weights; returns their number. */
+NAGATA3_API int n3i_field_nodes(const n3_mesh *m, const n3_topology *t, int degree, int triangle,
+                                int node[10])
+{
+    int i;
+    n3_mesh_patch_nodes(m, t, triangle, node);
+    for (i = 0; i < 3 && degree == 2; i++) {
+        int edge = t->edge[3 * triangle + i];
+        node[3 + i] = edge < 0 ? node[i] : m->points + edge;
+    }
+    return degree == 3 ? 10 : 3 * degree;
+}
+
+NAGATA3_API n3_status n3_mesh_field(const n3_mesh *m, const n3_topology *t, int degree,
+                                    int components, const n3_real *nodal, const int *parent,
+                                    const n3_real *uv, int count, n3_real *out)
+{
+    n3_status status = n3i_check(m, t, NULL);
+    int i, k, q, nodes, node[10];
+    n3_real weight[10];
+    if (status != N3_OK) return status;
+    if (degree < 1 || degree > 3 || components < 0 || count < 0) return N3_BAD_COUNT;
+    if (count > 0 && (!nodal || !parent || !uv || !out)) return N3_NULL_POINTER;
+    for (i = 0; i < count; i++)
+        if (parent[i] >= m->triangles || (parent[i] < 0 && i >= m->points)) return N3_BAD_COUNT;
+    for (i = 0; i < count; i++) {
+        n3_real *row = out + (size_t)i * (size_t)components;
+        node[0] = i;
+        weight[0] = 1;
+        nodes = parent[i] < 0 ? 1 : n3i_field_nodes(m, t, degree, parent[i], node);
+        if (nodes > 1) n3i_lagrange(degree, uv[2 * (size_t)i], uv[2 * (size_t)i + 1], weight);
+        for (k = 0; k < components; k++) row[k] = 0;
+        for (q = 0; q < nodes; q++) {
+            const n3_real *value = nodal + (size_t)node[q] * (size_t)components;
+            for (k = 0; k < components; k++) row[k] += weight[q] * value[k];
+        }
+    }
+    return N3_OK;
+}
+
+/* ---- Definitions: report ---- */
+
+/* The quadratic nets of du / 3 and dv / 3 in the order of n3_patch2.p, whose exponents are these,
+   and their product's coefficients: for exponents summing to (i, j, k) with the weight
+   (2!/...)(2!/...)/(4!/...) of the Bernstein polynomials. */
+NAGATA3_API void n3i_normal_net(const n3_patch *p, n3_vec out[5][5])
+{
+    static const int from[6] = {0, 4, 7, 3, 9, 8}, to_u[6] = {3, 1, 6, 4, 5, 9};
+    static const int to_v[6] = {8, 5, 2, 9, 6, 7}, factorial[5] = {1, 1, 2, 6, 24};
+    static const int power[6][2] = {{0, 0}, {2, 0}, {0, 2}, {1, 0}, {1, 1}, {0, 1}};
+    int a, b, i, j;
+    for (i = 0; i < 5; i++)
+        for (j = 0; j < 5; j++) out[i][j] = n3_v(0, 0, 0);
+    for (a = 0; a < 6; a++)
+        for (b = 0; b < 6; b++) {
+            n3_vec du = n3_sub(p->p[to_u[a]], p->p[from[a]]);
+            n3_vec dv = n3_sub(p->p[to_v[b]], p->p[from[b]]);
+            int twice = (a > 2 ? 2 : 1) * (b > 2 ? 2 : 1);
+            i = power[a][0] + power[b][0];
+            j = power[a][1] + power[b][1];
+            out[i][j] = n3_add(out[i][j],
+                               n3_mul((n3_real)(twice * factorial[i] * factorial[j] *
+                                                factorial[4 - i - j]) / 24, n3_cross(du, dv)));
+        }
+}
+
+NAGATA3_API int n3_patch_may_fold(const n3_patch *p)
+{
+    n3_patch boxed = n3i_patch_boxed(p);
+    n3_vec net[5][5], sum = n3_v(0, 0, 0);
+    int i, j;
+    n3i_normal_net(&boxed, net);
+    for (i = 0; i < 5; i++)
+        for (j = 0; i + j < 5; j++) sum = n3_add(sum, net[i][j]);
+    for (i = 0; i < 5; i++)
+        for (j = 0; i + j < 5; j++)
+            if (!(n3_dot(net[i][j], sum) > 0)) return 1;
+    return 0;
+}
+
+/* A report on nothing: what takes the topology or the net is not known. */
+NAGATA3_API n3_report n3i_report_empty(const n3_mesh *m)
+{
+    n3_report r;
+    memset(&r, 0, sizeof r);
+    if (m && m->point && m->points > 0) r.points = m->points;
+    if (m && m->triangle && m->triangles > 0) r.triangles = m->triangles;
+    if (r.triangles > N3I_COUNT_LIMIT / 3) r.triangles = N3I_COUNT_LIMIT / 3;
+    if (m && m->normal && m->normals > 0) r.normals = m->normals;
+    r.edges = r.duplicate_triangles = r.unused_points = -1;
+    r.border_edges = r.non_manifold_edges = r.flipped_edges = -1;
+    r.straight_edges = r.s_shaped_edges = r.clamped_edges = r.branch_60_edges = -1;
+    r.turned_edges = r.crease_edges = r.half_crease_edges = r.degenerate_edges = -1;
+    r.folding_patches = r.jump_edge = r.distance_triangle = -1;
+    return r;
+}
+
+NAGATA3_API int n3i_names_points(const n3_mesh *m, const n3_report *r, int triangle)
+{
+    int i;
+    for (i = 0; i < 3; i++) {
+        int p = n3i_at(m, 3 * triangle + i);
+        if (p < 0 || p >= r->points) return 0;
+    }
+    return 1;
+}
+
+/* Which corner normals a triangle names, and which of them are none or look back. */
+NAGATA3_API void n3i_report_corners(const n3_mesh *m, int triangle, n3_vec face, n3_report *r)
+{
+    int i, out_of_range = 0;
+    for (i = 0; i < 3; i++) {
+        int c = 3 * triangle + i, k = n3i_normal_at(m, c);
+        n3_vec n = n3_v(0, 0, 0);
+        if (k >= r->normals) out_of_range = 1;
+        else if (k >= 0) n = n3i_vec_at(m->normal, m->normal_stride, k);
+        if (n3i_is_zero(n)) r->zero_normals++;
+        if (n3_dot(n3_unit(n), face) < 0) r->flipped_normals++;
+    }
+    r->bad_corners += out_of_range;
+}
+
+NAGATA3_API void n3i_report_triangles(const n3_mesh *m, n3_report *r)
+{
+    int f;
+    for (f = 0; f < r->triangles; f++) {
+        n3_vec face = n3_v(0, 0, 0);
+        if (!n3i_names_points(m, r, f)) {
+            r->bad_triangles++;
+        } else if (n3i_is_collapsed(m, f)) {
+            r->collapsed_triangles++;
+        } else {
+            face = n3i_face_of(m, f).normal;
+            r->flat_triangles += n3i_is_zero(face);
+        }
+        n3i_report_corners(m, f, face, r);
+    }
+}
+
+/* True if a triangle before this one has its points: it shares the side with the fewest others. */
+NAGATA3_API int n3i_is_duplicate(const n3_mesh *m, const n3_topology *t, int triangle)
+{
+    int i, s = 3 * triangle, fewest = N3I_COUNT_LIMIT;
+    for (i = 3 * triangle; i < 3 * triangle + 3; i++) {
+        int edge = t->edge[i], count = t->first[edge + 1] - t->first[edge];
+        if (count < fewest) s = i;
+        if (count < fewest) fewest = count;
+    }
+    for (i = t->first[t->edge[s]]; t->side[i] < 3 * triangle; i++) {
+        int apex = n3i_at(m, n3i_after(n3i_after(t->side[i])));
+        if (apex == n3i_at(m, n3i_after(n3i_after(s)))) return 1;
+    }
+    return 0;
+}
+
+NAGATA3_API void n3i_report_topology(const n3_mesh *m, const n3_topology *t, n3_report *r)
+{
+    int i;
+    r->edges = t->edges;
+    r->unused_points = t->unused;
+    r->border_edges = r->non_manifold_edges = r->flipped_edges = r->duplicate_triangles = 0;
+    for (i = 0; i < t->edges; i++) {
+        unsigned flags = n3i_face_flags(m, t, i);
+        r->border_edges += (flags & N3_EDGE_BORDER) != 0;
+        r->non_manifold_edges += (flags & N3_EDGE_NON_MANIFOLD) != 0;
+        r->flipped_edges += (flags & N3_EDGE_FLIPPED) != 0;
+    }
+    for (i = 0; i < t->triangles; i++)
+        if (!n3i_is_collapsed(m, i)) r->duplicate_triangles += n3i_is_duplicate(m, t, i);
+}
+
+NAGATA3_API int n3i_count_flags(const unsigned *flags, int count, unsigned bit)
+{
+    int i, n = 0;
+    for (i = 0; i < count; i++) n += (flags[i] & bit) != 0;
+    return n;
+}
+
+NAGATA3_API void n3i_report_flags(const unsigned *flags, n3_report *r)
+{
+    r->straight_edges = n3i_count_flags(flags, r->edges, N3_EDGE_STRAIGHT);
+    r->s_shaped_edges = n3i_count_flags(flags, r->edges, N3_EDGE_S_SHAPED);
+    r->clamped_edges = n3i_count_flags(flags, r->edges, N3_EDGE_CLAMPED);
+    r->branch_60_edges = n3i_count_flags(flags, r->edges, N3_EDGE_BRANCH_60);
+    r->turned_edges = n3i_count_flags(flags, r->edges, N3_EDGE_TURNED);
+    r->crease_edges = n3i_count_flags(flags, r->edges, N3_EDGE_CREASE);
+    r->half_crease_edges = n3i_count_flags(flags, r->edges, N3_EDGE_HALF_CREASE);
+    r->degenerate_edges = n3i_count_flags(flags, r->edges, N3_EDGE_DEGENERATE);
+}
+
+/* The patch's normal at t along one of its sides. */
+NAGATA3_API n3_vec n3i_side_normal(const n3_patch *p, int side, n3_real t)
+{
+    if (side == 0) return n3_patch_normal(p, t, 0);
+    return side == 1 ? n3_patch_normal(p, 1 - t, t) : n3_patch_normal(p, 0, 1 - t);
+}
+
+NAGATA3_API void n3i_report_jump(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                 int edge, n3_report *r)
+{
+    n3_patch p[2];
+    int i, two[2];
+    if (!n3i_is_regular(m, t, edge, two)) return;
+    for (i = 0; i < 2; i++) p[i] = n3i_mesh_patch(m, t, net, two[i] / 3);
+    for (i = 1; i < 4; i++) {
+        n3_real s = (n3_real)i / 4, jump;
+        n3_vec n0 = n3i_side_normal(&p[0], two[0] % 3, s);
+        n3_vec n1 = n3i_side_normal(&p[1], two[1] % 3, 1 - s);
+        jump = n3i_is_zero(n0) || n3i_is_zero(n1) ? 0 : n3_len(n3_sub(n0, n1));
+        if (r->jump_edge >= 0 && !(jump > r->jump)) continue;
+        r->jump = jump;
+        r->jump_edge = edge;
+    }
+}
+
+/* Across the plane of the triangle; where it has none, from the triangle's point of the same u
+   and v. */
+NAGATA3_API void n3i_report_distance(const n3_mesh *m, const n3_patch *p, int triangle,
+                                     n3_report *r)
+{
+    n3_vec face = n3i_face_of(m, triangle).normal;
+    int i, j;
+    for (j = 0; j <= 4; j++)
+        for (i = 0; i <= 4 - j; i++) {
+            n3_real u = (n3_real)i / 4, v = (n3_real)j / 4, distance;
+            n3_vec flat = n3i_mix(1 - u - v, p->p[0], u, p->p[1], v, p->p[2]);
+            n3_vec way = n3_sub(n3_patch_point(p, u, v), flat);
+            distance = n3i_is_zero(face) ? n3_len(way) : n3i_abs(n3_dot(way, face));
+            if (r->distance_triangle >= 0 && !(distance > r->distance)) continue;
+            r->distance = distance;
+            r->distance_triangle = triangle;
+        }
+}
+
+NAGATA3_API n3_report n3_mesh_report(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                     const unsigned *flags)
+{
+    const unsigned rough = N3_EDGE_CREASE | N3_EDGE_HALF_CREASE | N3_EDGE_DEGENERATE;
+    n3_report r = n3i_report_empty(m);
+    int i;
+    for (i = 0; i < r.points; i++) r.bad_points += !n3i_is_finite(n3i_point(m, i));
+    for (i = 0; i < r.normals; i++)
+        r.bad_normals += !n3i_is_finite(n3i_vec_at(m->normal, m->normal_stride, i));
+    n3i_report_triangles(m, &r);
+    if (!t || t->points != r.points || t->triangles != r.triangles || r.bad_triangles) return r;
+    n3i_report_topology(m, t, &r);
+    if (!net || !flags) return r;
+    n3i_report_flags(flags, &r);
+    r.folding_patches = 0;
+    for (i = 0; i < r.edges; i++)
+        if (!(flags[i] & rough)) n3i_report_jump(m, t, net, i, &r);
+    for (i = 0; i < r.triangles; i++) {
+        n3_patch p = n3i_mesh_patch(m, t, net, i);
+        if (n3i_is_collapsed(m, i)) continue;
+        r.folding_patches += n3_patch_may_fold(&p);
+        n3i_report_distance(m, &p, i, &r);
+    }
+    return r;
 }
 
 #ifdef __cplusplus
