@@ -28,7 +28,8 @@ static double half_digit(double value, int digits)
 }
 
 /* The error 1/2 ulp of a coordinate in n0, n1 turns a tangent by one eps, and the header's handles
- * are good to L (40/q + 2/lo) eps (equations.c), q = cos a; the segment's middle to 8 |c| + 3 L/s. */
+ * are good to L (40/q + 2/lo) eps (equations.c), q = cos a; the segment's middle to
+ * 8 |c| + 4 L/s. */
 static double arc_tolerance(double a)
 {
     double L = 2 * sin(a), c = 2 / cos(a);
@@ -42,7 +43,10 @@ static void arc_ends(double a, n3_vertex *v0, n3_vertex *v1)
     *v1 = vertex(end, end);
 }
 
-typedef struct arc_row { double angle, nagata, paper, arc; int arc_digits; } arc_row;
+typedef struct arc_row {
+    double angle, nagata, paper, arc;
+    int arc_digits;
+} arc_row;
 
 static const arc_row arcs[] = {
     {10, 7.268e-6, 7.268e-6, 5.1e-10, 2}, {30, 6.010e-4, 6.010e-4, 3.7e-7, 2},
@@ -131,13 +135,16 @@ static void sphere_octant(void)
     double tolerance = EPS * (1 + sqrt(2) * (40 / sqrt(0.5) + 20));
     int k;
     for (k = 0; k < 10; k++)
-        CHECK_VEC(p.p[k], narrow(d_mul(1. / 3, d_v(net[k][0], net[k][1], net[k][2]))), tolerance, k);
+        CHECK_VEC(p.p[k], narrow(d_mul(1. / 3, d_v(net[k][0], net[k][1], net[k][2]))), tolerance,
+                  k);
     CHECK_NEAR(d_len(wide(middle)), 5 * sqrt(3) / 9, tolerance, 0);
     CHECK_NEAR(d_len(wide(middle)), 0.9622504486, 5e-11 + tolerance, 0);
 }
 
 /* The largest distance from the unit sphere, and angle in degrees between normals, of a patch. */
-typedef struct sphere_error { double distance, angle; } sphere_error;
+typedef struct sphere_error {
+    double distance, angle;
+} sphere_error;
 
 static void sphere_patch_error(const n3_patch *p, sphere_error *worst)
 {
@@ -153,8 +160,9 @@ static void sphere_patch_error(const n3_patch *p, sphere_error *worst)
     }
 }
 
-/* The triangle a b c on the unit sphere, split in four so many times at the middles of its sides. */
-static void sphere_split(dvec a, dvec b, dvec c, int times, const n3_options *o, sphere_error *worst)
+/* The triangle a b c on the unit sphere, split in four so often at the middles of its sides. */
+static void sphere_split(dvec a, dvec b, dvec c, int times, const n3_options *o,
+                         sphere_error *worst)
 {
     if (times) {
         dvec ab = d_unit(d_add(a, b)), bc = d_unit(d_add(b, c)), ca = d_unit(d_add(c, a));
@@ -179,10 +187,10 @@ static void sphere_order(void)
         int distance_digits;
         double angle;
         int angle_digits;
-    } row[] = {{&paper, 0, 1.311e-2, 4, 6.03, 3},  {&paper, 1, 1.259e-3, 4, 1.04, 3},
-               {&paper, 2, 8.94e-5, 3, 0.144, 3},  {&paper, 3, 5.78e-6, 3, 0.0185, 3},
-               {&arc, 0, 8.51e-4, 3, 0.207, 3},    {&arc, 1, 2.04e-5, 3, 0.011, 2},
-               {&arc, 2, 4.3e-7, 2, 0.0011, 2},    {&arc, 3, 2.5e-8, 2, 0.0002, 1}};
+    } row[] = {{&paper, 0, 1.311e-2, 4, 6.03, 3}, {&paper, 1, 1.259e-3, 4, 1.04, 3},
+               {&paper, 2, 8.94e-5, 3, 0.144, 3}, {&paper, 3, 5.78e-6, 3, 0.0185, 3},
+               {&arc, 0, 8.51e-4, 3, 0.207, 3},   {&arc, 1, 2.04e-5, 3, 0.011, 2},
+               {&arc, 2, 4.3e-7, 2, 0.0011, 2},   {&arc, 3, 2.5e-8, 2, 0.0002, 1}};
     double g = (1 + sqrt(5)) / 2;
     dvec a = d_unit(d_v(0, 1, g)), b = d_unit(d_v(g, 0, 1)), c = d_unit(d_v(1, g, 0));
     int i;
@@ -192,8 +200,9 @@ static void sphere_order(void)
         sphere_split(a, b, c, row[i].times, row[i].o, &got);
         CHECK_NEAR(got.distance, row[i].distance,
                    half_digit(row[i].distance, row[i].distance_digits) + (200 * size + 2) * EPS, i);
-        CHECK_NEAR(got.angle, row[i].angle, half_digit(row[i].angle, row[i].angle_digits) +
-                   (200 + 3 / size) * EPS / DEGREE, i);
+        CHECK_NEAR(got.angle, row[i].angle,
+                   half_digit(row[i].angle, row[i].angle_digits) + (200 + 3 / size) * EPS / DEGREE,
+                   i);
     }
 }
 
@@ -267,7 +276,8 @@ static void near_parallel_segment(void)
             e = n3_segment_raise(&curve);
             height = largest_height(&e);
             CHECK_NEAR(height / (A / (4 * sin(turn / 2))), 1, EPS * (16 + 8 / s), 10 * i + k);
-            CHECK_NEAR(height / (A / (2 * turn)), 1, turn * turn / 20 + EPS * (16 + 8 / s), 10 * i + k);
+            CHECK_NEAR(height / (A / (2 * turn)), 1, turn * turn / 20 + EPS * (16 + 8 / s),
+                       10 * i + k);
             if (i == 0 && k == 3) CHECK_NEAR(height, 251, 0.5 + 251 * EPS * (16 + 8 / s), 0);
         }
     }
@@ -280,8 +290,9 @@ static void near_parallel_segment(void)
 static void near_parallel_cubic(void)
 {
     static const double delta[] = {0, 1e-9, 1e-6, 1e-4, 0.01, 0.1, 1, 10};
-    static const struct { double tilt, printed, digit; } row[] = {
-        {5, 0.00842, 5e-6}, {20, 0.0350, 5e-5}, {40, 0.0807, 5e-5}, {0.1, 0, 1}, {59, 0, 1}};
+    static const struct {
+        double tilt, printed, digit;
+    } row[] = {{5, 0.00842, 5e-6}, {20, 0.0350, 5e-5}, {40, 0.0807, 5e-5}, {0.1, 0, 1}, {59, 0, 1}};
     int i, k;
     for (i = 0; i < (int)(sizeof row / sizeof *row); i++) {
         double S = sin(row[i].tilt * DEGREE), C = cos(row[i].tilt * DEGREE);
@@ -318,15 +329,18 @@ static void twisted_ends(double start, double end, double twist, n3_vertex *a, n
 /* Pi halves the smaller angle between the normals' directions around the chord, taken as lines. */
 static void plane_bisects(void)
 {
-    static const struct { double start, end, start_tilt, end_tilt, plane; } row[] = {
-        {0, 60, 0, 0, 30},    {0, 120, 0, 0, 150},  {10, -10, 30, -50, 0}, {20, 200, 40, 40, 20},
-        {0, 89, 0, 0, 44.5},  {0, 91, 0, 0, 135.5}, {33, 0, 0, 90, 33},    {0, 33, -90, 0, 33},
-        {5, 185, 10, 10, 5},  {300, 20, 0, 0, 340}, {7, 7, 80, -80, 7},    {0, 271, 60, 0, 315.5}};
+    static const struct {
+        double start, end, start_tilt, end_tilt, plane;
+    } row[] = {{0, 60, 0, 0, 30},     {0, 120, 0, 0, 150}, {10, -10, 30, -50, 0},
+               {20, 200, 40, 40, 20}, {0, 89, 0, 0, 44.5}, {0, 91, 0, 0, 135.5},
+               {33, 0, 0, 90, 33},    {0, 33, -90, 0, 33}, {5, 185, 10, 10, 5},
+               {300, 20, 0, 0, 340},  {7, 7, 80, -80, 7},  {0, 271, 60, 0, 315.5}};
     int i;
     for (i = 0; i < (int)(sizeof row / sizeof *row); i++) {
         double s = row[i].start * DEGREE, e = row[i].end * DEGREE, p = row[i].plane * DEGREE, q;
         double S = row[i].start_tilt * DEGREE, E = row[i].end_tilt * DEGREE;
-        n3_vertex a = vertex(in_frame(-1, 0, 0), in_frame(sin(S), cos(s) * cos(S), sin(s) * cos(S)));
+        n3_vertex a =
+            vertex(in_frame(-1, 0, 0), in_frame(sin(S), cos(s) * cos(S), sin(s) * cos(S)));
         n3_vertex b = vertex(in_frame(1, 0, 0), in_frame(sin(E), cos(e) * cos(E), sin(e) * cos(E)));
         dvec m = wide(n3_curve_plane(a, b)), want = in_frame(0, -sin(p), cos(p));
         if (d_dot(m, want) < 0) want = d_mul(-1, want);
@@ -335,17 +349,20 @@ static void plane_bisects(void)
     }
 }
 
-/* The raised parabola is the edge where both tangents' angles are within the cut-off and 60 degrees,
- * they make a C, and its plane is Pi: with no twist, or equal angles. Elsewhere it is not, by a
- * visible amount. Tolerance: arc_tolerance's, at 60 degrees and at two normals 11 degrees apart. */
+/* The raised parabola is the edge where both tangents' angles lie between the cut-off and 60
+ * degrees, they make a C, and its plane is Pi: with no twist, or equal angles. Elsewhere it is not,
+ * by a visible amount. Tolerance: arc_tolerance's, at 60 degrees, and as the segment's c depends on
+ * two normals 11 degrees apart. */
 static void parabola_kept(void)
 {
-    static const struct { double start, end, twist; int kept; } row[] = {
-        {20, -20, 0, 1},  {6, -6, 0, 1},     {59.9, -59.9, 0, 1}, {10, -50, 0, 1},
-        {6, -59, 0, 1},   {-30, 45, 0, 1},   {20, -20, 30, 1},    {-30, 30, 44, 1},
-        {10, -10, -40, 1}, {50, -50, 15, 1}, {5, -20, 0, 0},      {50, -3, 0, 0},
-        {66, -20, 0, 0},  {-20, 66, 0, 0},   {70, -70, 0, 0},     {20, 20.5, 0, 0},
-        {10, 50, 0, 0},   {20, -20, 50, 0},  {20, -40, 20, 0},    {-30, 25, -10, 0}};
+    static const struct {
+        double start, end, twist;
+        int kept;
+    } row[] = {{20, -20, 0, 1},   {6, -6, 0, 1},    {59.9, -59.9, 0, 1}, {10, -50, 0, 1},
+               {6, -59, 0, 1},    {-30, 45, 0, 1},  {20, -20, 30, 1},    {-30, 30, 44, 1},
+               {10, -10, -40, 1}, {50, -50, 15, 1}, {5, -20, 0, 0},      {50, -3, 0, 0},
+               {66, -20, 0, 0},   {-20, 66, 0, 0},  {70, -70, 0, 0},     {20, 20.5, 0, 0},
+               {10, 50, 0, 0},    {20, -20, 50, 0}, {20, -40, 20, 0},    {-30, 25, -10, 0}};
     double tolerance = arc_tolerance(60 * DEGREE) + EPS * (40 / sin(11 * DEGREE)) * 2;
     int i;
     for (i = 0; i < (int)(sizeof row / sizeof *row); i++) {
@@ -370,9 +387,12 @@ static void parabola_kept(void)
  * the normals are twisted apart. */
 static void s_shaped(void)
 {
-    static const struct { double tilt, twist; const n3_options *o; } row[] = {
-        {0, 0, &paper},   {3, 0, &paper}, {-20, 0, &paper}, {40, 20, &paper}, {70, 0, &paper},
-        {-80, 40, &paper}, {0, 0, &arc},  {3, 0, &arc},     {-20, 0, &arc},   {80, 0, &arc}};
+    static const struct {
+        double tilt, twist;
+        const n3_options *o;
+    } row[] = {{0, 0, &paper},  {3, 0, &paper},    {-20, 0, &paper}, {40, 20, &paper},
+               {70, 0, &paper}, {-80, 40, &paper}, {0, 0, &arc},     {3, 0, &arc},
+               {-20, 0, &arc},  {80, 0, &arc}};
     int i;
     for (i = 0; i < (int)(sizeof row / sizeof *row); i++) {
         double tilt = row[i].tilt * DEGREE, tolerance = EPS * (22 + 80 / cos(tilt)), climb;
@@ -389,7 +409,9 @@ static void s_shaped(void)
 
 /* Planar ends whose tangents leave the chord, of length 2, at the angles start and end, in degrees,
  * after they were turned to at most 90; the handles by (5.1.13) and (5.1.14) for them. */
-typedef struct turn { double start, end, lo, hi, turned_start, turned_end; } turn;
+typedef struct turn {
+    double start, end, lo, hi, turned_start, turned_end;
+} turn;
 
 static double handle(double here, double other, const turn *row)
 {
@@ -438,26 +460,53 @@ static void branch_at_60_degrees(void)
  * normal along the chord, it goes to the side that makes a C. */
 static void branch_at_90_degrees(void)
 {
-    static const turn row[] = {
-        {89.9, -30, .1, 10, 89.9, -30},  {90, -30, .1, 10, 90, -30},    {90.1, -30, .1, 10, -89.9, -30},
-        {100, -30, .1, 10, -80, -30},    {90, 30, .1, 10, -90, 30},     {-90, 30, .1, 10, -90, 30},
-        {-90.1, 30, .1, 10, 89.9, 30},   {-30, 89.9, .1, 10, -30, 89.9}, {-30, 90, .1, 10, -30, 90},
-        {-30, 90.1, .1, 10, -30, -89.9}, {30, 90, .1, 10, 30, -90},     {30, -90, .1, 10, 30, -90},
-        {150, 20, .1, 10, -30, 20},      {180, 45, .1, 10, 0, 45},      {130, -130, .1, 10, -50, 50}};
+    static const turn row[] = {{89.9, -30, .1, 10, 89.9, -30},  {90, -30, .1, 10, 90, -30},
+                               {90.1, -30, .1, 10, -89.9, -30}, {100, -30, .1, 10, -80, -30},
+                               {90, 30, .1, 10, -90, 30},       {-90, 30, .1, 10, -90, 30},
+                               {-90.1, 30, .1, 10, 89.9, 30},   {-30, 89.9, .1, 10, -30, 89.9},
+                               {-30, 90, .1, 10, -30, 90},      {-30, 90.1, .1, 10, -30, -89.9},
+                               {30, 90, .1, 10, 30, -90},       {30, -90, .1, 10, 30, -90},
+                               {150, 20, .1, 10, -30, 20},      {180, 45, .1, 10, 0, 45},
+                               {130, -130, .1, 10, -50, 50}};
     check_turns(row, (int)(sizeof row / sizeof *row));
 }
 
 /* Tangents on both sides of the cut-offs; 5.7106 and 84.2894 degrees are 0.1 and 10. */
 static void angles_at_the_clamps(void)
 {
-    static const turn row[] = {
-        {0, -45, .1, 10, 0, -45},       {5.7, -45, .1, 10, 5.7, -45},   {5.71, 20, .1, 10, 5.71, 20},
-        {5.72, 20, .1, 10, 5.72, 20},   {-8, 3, .1, 10, -8, 3},         {2, -1, .1, 10, 2, -1},
-        {84, -20, .1, 10, 84, -20},     {84.3, -20, .1, 10, 84.3, -20}, {-20, 84.2, .1, 10, -20, 84.2},
-        {-20, 89, .1, 10, -20, 89},     {89, 88, .1, 10, 89, 88},       {2, 88, .1, 10, 2, 88},
-        {30, -50, .5, 1, 30, -50},      {20, -50, .5, 1, 20, -50},      {20, 50, 1, 1, 20, 50},
-        {0.1, -5, 1e-3, 10, 0.1, -5},   {89, -89.5, .1, 50, 89, -89.5}, {90, 20, .1, 50, -90, 20}};
+    static const turn row[] = {{0, -45, .1, 10, 0, -45},       {5.7, -45, .1, 10, 5.7, -45},
+                               {5.71, 20, .1, 10, 5.71, 20},   {5.72, 20, .1, 10, 5.72, 20},
+                               {-8, 3, .1, 10, -8, 3},         {2, -1, .1, 10, 2, -1},
+                               {84, -20, .1, 10, 84, -20},     {84.3, -20, .1, 10, 84.3, -20},
+                               {-20, 84.2, .1, 10, -20, 84.2}, {-20, 89, .1, 10, -20, 89},
+                               {89, 88, .1, 10, 89, 88},       {2, 88, .1, 10, 2, 88},
+                               {30, -50, .5, 1, 30, -50},      {20, -50, .5, 1, 20, -50},
+                               {20, 50, 1, 1, 20, 50},         {0.1, -5, 1e-3, 10, 0.1, -5},
+                               {89, -89.5, .1, 50, 89, -89.5}, {90, 20, .1, 50, -90, 20}};
     check_turns(row, (int)(sizeof row / sizeof *row));
+}
+
+/* Where two answers are as good as each other, on the unit chord along x, which is in canonical
+ * order: normals perpendicular around the chord have the plane of the sum of e x n0 and e x n1; an
+ * end at 90 degrees facing one at 0 starts towards the other's normal, or comes down from it. */
+static void ties(void)
+{
+    static const struct {
+        double n0[3], n1[3], p21[3], p12[3];
+    } row[] = {{{0, 1, 0}, {0, 0, 1}, {1. / 3, 0, 0}, {2. / 3, 0, 0}},
+               {{1, 0, 0}, {0, 0, 1}, {0, 0, 4. / 303}, {103. / 303, 0, 0}},
+               {{0, 0, 1}, {-1, 0, 0}, {200. / 303, 0, 0}, {1, 0, 4. / 303}}};
+    n3_vec diagonal = narrow(d_unit(d_v(0, -1, 1)));
+    int i;
+    for (i = 0; i < 3; i++) {
+        const double *n0 = row[i].n0, *n1 = row[i].n1, *p = row[i].p21, *q = row[i].p12;
+        n3_vertex a = vertex(d_v(0, 0, 0), d_v(n0[0], n0[1], n0[2]));
+        n3_vertex b = vertex(d_v(1, 0, 0), d_v(n1[0], n1[1], n1[2]));
+        n3_edge e = n3_edge_make(a, b, NULL);
+        CHECK_VEC(e.p[1], narrow(d_v(p[0], p[1], p[2])), 8 * EPS, i);
+        CHECK_VEC(e.p[2], narrow(d_v(q[0], q[1], q[2])), 8 * EPS, i);
+        if (i == 0) CHECK_VEC(n3_curve_plane(a, b), diagonal, EPS, i);
+    }
 }
 
 /* ---- Options ---- */
@@ -465,15 +514,16 @@ static void angles_at_the_clamps(void)
 /* Each row is the same as the next one, bit for bit; the last as none at all. */
 static void option_fields(void)
 {
-    static const struct { n3_options o, same; } row[] = {
-        {{N3_RULE_PAPER, 0, 0}, {N3_RULE_PAPER, (n3_real)1 / 10, 10}},
-        {{N3_RULE_PAPER, -1, 0}, {N3_RULE_PAPER, 0, -2}},
-        {{N3_RULE_PAPER, 0, 2}, {N3_RULE_PAPER, (n3_real)1 / 10, 2}},
-        {{N3_RULE_PAPER, (n3_real)1 / 2, 0}, {N3_RULE_PAPER, (n3_real)1 / 2, 10}},
-        {{N3_RULE_PAPER, 1, (n3_real)1 / 2}, {N3_RULE_PAPER, 1, 1}},
-        {{N3_RULE_PAPER, 20, 0}, {N3_RULE_PAPER, 20, 20}},
-        {{N3_RULE_ARC, 3, 4}, {N3_RULE_ARC, 0, 0}},
-        {{N3_RULE_FIT, 0, 0}, {N3_RULE_ARC, 0, 0}}};
+    static const struct {
+        n3_options o, same;
+    } row[] = {{{N3_RULE_PAPER, 0, 0}, {N3_RULE_PAPER, (n3_real)1 / 10, 10}},
+               {{N3_RULE_PAPER, -1, 0}, {N3_RULE_PAPER, 0, -2}},
+               {{N3_RULE_PAPER, 0, 2}, {N3_RULE_PAPER, (n3_real)1 / 10, 2}},
+               {{N3_RULE_PAPER, (n3_real)1 / 2, 0}, {N3_RULE_PAPER, (n3_real)1 / 2, 10}},
+               {{N3_RULE_PAPER, 1, (n3_real)1 / 2}, {N3_RULE_PAPER, 1, 1}},
+               {{N3_RULE_PAPER, 20, 0}, {N3_RULE_PAPER, 20, 20}},
+               {{N3_RULE_ARC, 3, 4}, {N3_RULE_ARC, 0, 0}},
+               {{N3_RULE_FIT, 0, 0}, {N3_RULE_ARC, 0, 0}}};
     rng r = {5};
     int i, j, k;
     for (i = 0; i < (int)(sizeof row / sizeof *row); i++) {
@@ -493,20 +543,27 @@ static void option_fields(void)
 
 /* ---- The centre ---- */
 
+/* Three random edges that meet at the corners. */
+static void random_edges(rng *r, n3_edge e[3])
+{
+    int i, k;
+    for (i = 0; i < 3; i++)
+        for (k = 0; k < 4; k++) e[i].p[k] = rng_vec(r);
+    for (i = 0; i < 3; i++) e[i].p[3] = e[(i + 1) % 3].p[0];
+}
+
 /* PN triangles put the centre at E + (E - V)/2, E the mean of the six points between the corners, V
  * that of the corners. Coordinates up to 1, as eq_6_1_10. */
 static void centre_is_pn(void)
 {
     rng r = {111};
     long i, count = sample_count(SAMPLES);
-    int j, k;
+    int j;
     for (i = 0; i < count; i++) {
         n3_edge e[3];
         dvec E = d_v(0, 0, 0), V = d_v(0, 0, 0);
-        for (j = 0; j < 3; j++)
-            for (k = 0; k < 4; k++) e[j].p[k] = rng_vec(&r);
+        random_edges(&r, e);
         for (j = 0; j < 3; j++) {
-            e[j].p[3] = e[(j + 1) % 3].p[0];
             V = d_mix(1, V, 1. / 3, wide(e[j].p[0]));
             E = d_mix(1, E, 1. / 6, d_add(wide(e[j].p[1]), wide(e[j].p[2])));
         }
@@ -514,25 +571,86 @@ static void centre_is_pn(void)
     }
 }
 
+/* (6.1.10) - (A_ab v_c + A_bc v_a + A_ca v_b)/8, with x_i, v_i the corners and normals less their
+ * means and A_ij = (<x_i, v_j> + <x_j, v_i>)/2 */
+static dvec arc_centre_along(const n3_edge e[3], const n3_vec n[3])
+{
+    dvec x[3], v[3], xm = d_v(0, 0, 0), vm = d_v(0, 0, 0), C = d_v(0, 0, 0);
+    int i;
+    for (i = 0; i < 3; i++) {
+        xm = d_mix(1, xm, 1. / 3, wide(e[i].p[0]));
+        vm = d_mix(1, vm, 1. / 3, wide(n[i]));
+        C = d_mix(1, C, 1. / 4, d_add(wide(e[i].p[1]), wide(e[i].p[2])));
+    }
+    for (i = 0; i < 3; i++) x[i] = d_sub(wide(e[i].p[0]), xm), v[i] = d_sub(wide(n[i]), vm);
+    C = d_mix(1, C, -0.5, xm);
+    for (i = 0; i < 3; i++) {
+        double A = (d_dot(x[i], v[(i + 1) % 3]) + d_dot(x[(i + 1) % 3], v[i])) / 2;
+        C = d_mix(1, C, -A / 8, v[(i + 2) % 3]);
+    }
+    return C;
+}
+
+/* C + h N by the normals in the middles of the edges; *q is the smallest length that is divided by
+ * on the way. */
+static dvec arc_centre(const n3_edge e[3], const n3_vec n[3], const n3_vec mid[3], double *q)
+{
+    dvec C = arc_centre_along(e, n), N = d_add(wide(n[0]), d_add(wide(n[1]), wide(n[2])));
+    double rc = 0, cc = 0;
+    int i;
+    *q = d_len(N);
+    N = d_unit(N);
+    for (i = 0; i < 3; i++) {
+        const n3_vec *p = e[i].p;
+        dvec m = d_unit(wide(mid[i])), t, qe;
+        double r, c;
+        t = d_sub(d_add(wide(p[2]), wide(p[3])), d_add(wide(p[0]), wide(p[1])));
+        m = d_mix(1, m, -d_dot(m, d_unit(t)), d_unit(t));
+        *q = fmin(*q, fmin(d_len(t), d_len(m)));
+        m = d_unit(m);
+        qe = d_mix(0.5, wide(e[(i + 1) % 3].p[1]), 0.5, wide(e[(i + 2) % 3].p[2]));
+        r = d_dot(m, d_sub(d_sub(d_mul(2, d_bezier(&e[i], 0.5)), qe), C));
+        c = d_dot(m, N);
+        rc += r * c, cc += c * c;
+    }
+    return d_mix(1, C, rc / fmax(cc, 0.75), N);
+}
+
+/* The centre of the arc rule as it is defined, for random curves and normals. Coordinates are up to
+ * 1: C is good to 12 eps, N and the n_e to 8/q each, |q_e - C| <= 8, so each r c to 12 + 8 * 16/q
+ * and h to three of these over 3/4, and twice as much by cc: 8 (12 + 128/q). */
+static void centre_by_arc_rule(void)
+{
+    rng r = {112};
+    long i, count = sample_count(SAMPLES);
+    for (i = 0; i < count; i++) {
+        n3_vec n[3], mid[3];
+        n3_edge e[3];
+        double q;
+        dvec want;
+        int k, given = (int)(i % 2);
+        random_edges(&r, e);
+        for (k = 0; k < 3; k++) n[k] = rng_unit(&r);
+        for (k = 0; k < 3; k++)
+            mid[k] = given ? rng_vec(&r) : narrow(d_add(wide(n[k]), wide(n[(k + 1) % 3])));
+        want = arc_centre(e, n, mid, &q);
+        if (q < 0.125) continue;
+        CHECK_VEC(n3_patch_centre_arc(&e[0], &e[1], &e[2], n, given ? mid : NULL), narrow(want),
+                  8 * (12 + 128 / q) * EPS, i);
+    }
+}
+
 #define TEST(name) {#name, name}
 
 const test_case tests_closed_forms[] = {
-    TEST(arc_by_segment),
-    TEST(arc_by_paper_rule),
-    TEST(arc_by_arc_rule),
-    TEST(arc_of_a_quarter_circle),
-    TEST(sphere_octant),
-    TEST(sphere_order),
-    TEST(cylinder_order),
-    TEST(near_parallel_segment),
-    TEST(near_parallel_cubic),
-    TEST(plane_bisects),
-    TEST(parabola_kept),
-    TEST(s_shaped),
-    TEST(branch_at_60_degrees),
-    TEST(branch_at_90_degrees),
-    TEST(angles_at_the_clamps),
-    TEST(option_fields),
-    TEST(centre_is_pn),
-    {NULL, NULL},
+    TEST(arc_by_segment),       TEST(arc_by_paper_rule),
+    TEST(arc_by_arc_rule),      TEST(arc_of_a_quarter_circle),
+    TEST(sphere_octant),        TEST(sphere_order),
+    TEST(cylinder_order),       TEST(near_parallel_segment),
+    TEST(near_parallel_cubic),  TEST(plane_bisects),
+    TEST(parabola_kept),        TEST(s_shaped),
+    TEST(branch_at_60_degrees), TEST(branch_at_90_degrees),
+    TEST(angles_at_the_clamps), TEST(ties),
+    TEST(option_fields),        TEST(centre_is_pn),
+    TEST(centre_by_arc_rule),   {NULL, NULL},
 };

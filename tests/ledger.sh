@@ -42,7 +42,8 @@ scratch=${TMPDIR:-/tmp}/ledger.$$
 mkdir -m 700 "$scratch"
 trap 'rm -rf "$scratch"' EXIT
 cited >"$scratch/numbers"
-expand <"$scratch/numbers" | sort -u >"$scratch/cited"
+expand <"$scratch/numbers" >"$scratch/expanded"
+sort -u "$scratch/expanded" >"$scratch/cited"
 tested | sort -u >"$scratch/tested"
 comm -23 "$scratch/cited" "$scratch/tested" | sed 's/.*/cited in nagata3.h, but not tested: (&)/'
 comm -13 "$scratch/cited" "$scratch/tested" | sed 's/.*/tested, but not cited in nagata3.h: (&)/'

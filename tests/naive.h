@@ -12,7 +12,9 @@
 #define PI     3.14159265358979323846
 #define DEGREE (PI / 180)
 
-typedef struct dvec { double x, y, z; } dvec;
+typedef struct dvec {
+    double x, y, z;
+} dvec;
 
 static inline dvec d_v(double x, double y, double z)
 {
