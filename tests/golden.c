@@ -18,9 +18,9 @@ enum { K = 14, MAX_IN = 64, MAX_OUT = 24 };
 /* The rows that must at least be there. */
 #define ROWS (sizeof(n3_real) == sizeof(float) ? 590 : 820)
 
-/* Most bounds are far above what happens. So that a loss of accuracy shows all the same: where the
- * condition is at most WELL, all errors are below CLAIM eps of the size (most, 6, in the second
- * derivatives, sums of six control points). */
+/* These bounds are far above what happens. So that a loss of accuracy shows all the same: in the
+ * rows of this table whose condition is at most WELL all errors are below CLAIM eps of the size
+ * (most, 6, in second derivatives). Another table has other figures, but the same bounds. */
 enum { WELL = 100, CLAIM = 8 };
 
 typedef struct row {
