@@ -187,18 +187,18 @@ typedef char n3i_assert_packed[sizeof(n3_vec) == 3 * sizeof(n3_real) ? 1 : -1];
 /* ---- Tolerances: all of them, none is a length ---- */
 
 /* The spacing of n3_real at 1. */
-#define N3_EPS N3I_PICK((n3_real)1 / 67108864 / 67108864, (n3_real)1 / 8388608)
+#define N3_EPS (N3I_PICK((n3_real)1 / 67108864 / 67108864, (n3_real)1 / 8388608))
 
 /* Normals whose sine is at most this count as parallel in the segment: beyond it, c of (2.1.7) is
    four times the chord at least and made of the normals' last two bits. */
-#define N3_PARALLEL N3I_PICK((n3_real)1 / 33554432 / 33554432, (n3_real)1 / 4194304)
+#define N3_PARALLEL (N3I_PICK((n3_real)1 / 33554432 / 33554432, (n3_real)1 / 4194304))
 
 /* A normal whose sine with the chord is at most this lies along it: the direction of e x n then
    has less than a quarter (float: a half) of its digits left. */
-#define N3_ALONG N3I_PICK((n3_real)1 / 1048576 / 1048576, (n3_real)1 / 65536)
+#define N3_ALONG (N3I_PICK((n3_real)1 / 1048576 / 1048576, (n3_real)1 / 65536))
 
 /* Normals whose sum is at most this long are opposite: the bisector has lost half its digits. */
-#define N3_OPPOSITE N3I_PICK((n3_real)1 / 67108864, (n3_real)1 / 4096)
+#define N3_OPPOSITE (N3I_PICK((n3_real)1 / 67108864, (n3_real)1 / 4096))
 
 /* A normal du x dv shorter than this times |du| + |dv|, the patch being of size 1, is rounding:
    the error of du and dv is below 28 eps. */

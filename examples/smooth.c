@@ -178,17 +178,22 @@ static product write_output(const options *o, const surface *s)
     return out;
 }
 
+/* What was done to the mesh before anything else; never in silence, unless asked. */
+static void report_joining(const char *path, const mesh *m)
+{
+    if (!m->joined && !m->welded && !m->collapsed) return;
+    fprintf(stderr, "%s: %s: joined %d equal points", program, path, m->joined);
+    if (m->reach > 0) fprintf(stderr, " and %d within %.3g", m->welded, (double)m->reach);
+    fprintf(stderr, "; left out %d collapsed triangles\n", m->collapsed);
+}
+
 static void read_mesh(const options *o, mesh *m)
 {
     n3_real weld = has_extension(o->in, ".stl") ? (n3_real)1e-6 : 0;
     mesh_read(o->in, m);
     mesh_join(m, o->weld >= 0 ? o->weld : weld);
-    if (!m->triangles) fail(o->in, 0, "all its triangles have collapsed, no two points differ");
-    if (o->quiet) return;
-    if (m->joined || m->welded || m->collapsed)
-        fprintf(stderr,
-                "%s: %s: joined %d equal points and %d within %g; left out %d collapsed triangles\n",
-                program, o->in, m->joined, m->welded, (double)m->reach, m->collapsed);
+    if (!o->quiet) report_joining(o->in, m);
+    if (!m->triangles) fail(o->in, 0, "all its triangles have collapsed");
 }
 
 int main(int argc, char **argv)

@@ -218,8 +218,7 @@ static void threshold_of_parallel_normals(void)
     }
 }
 
-/* With e = x and n0 = (1, s, 0), e x n0 = (0, 0, s) exactly; the other end's plane has normal -y.
- */
+/* With e = x and n0 = (1, s, 0), e x n0 = (0, 0, s) exactly; the other end's m is -y. */
 static void threshold_of_normals_along_the_chord(void)
 {
     const n3_vec x = n3_v(0, 0, 0), y = n3_v(1, 0, 0), z = n3_v(0, 0, 1);
@@ -451,11 +450,13 @@ static void bad_nets_have_bad_normals(void)
 
 typedef struct option_row { double lo, hi, same_lo, same_hi; } option_row;
 
+#define NO  ((double)NAN)
+#define INF ((double)INFINITY)
+
 /* What is not > 0 is the default, 1/10 and 10; hi is at least lo. */
 static const option_row option_rows[] = {
-    {0, 0, 0.1, 10},        {-1, -2, 0.1, 10},       {NAN, NAN, 0.1, 10}, {-INFINITY, 0, 0.1, 10},
-    {0.5, NAN, 0.5, 10},    {NAN, 2, 0.1, 2},        {1, 0.5, 1, 1},      {20, 0, 20, 20},
-    {0.25, -1, 0.25, 10},   {0, 0.01, 0.1, 0.1}};
+    {0, 0, 0.1, 10},  {-1, -2, 0.1, 10}, {NO, NO, 0.1, 10}, {-INF, -INF, 0.1, 10}, {0.5, NO, 0.5, 10},
+    {NO, 2, 0.1, 2},  {1, 0.5, 1, 1},    {20, 0, 20, 20},   {0.25, -1, 0.25, 10},  {0, 0.01, 0.1, 0.1}};
 
 static n3_options options(int rule, double lo, double hi)
 {

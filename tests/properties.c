@@ -205,9 +205,8 @@ static int permuted(const int order[3], int k)
  * rounded by u times its size: (2 (4 + 6) / 4 + 2 (2 + 3) / 6 + 2 * 2 + ...) u M < 7 EPS M.
  * The arc's adds h N to it. Per edge all is the same bits again; of N = unit(sum n) the error is
  * 4 EPS / |sum n| =: dN, of C it is dC = 7 EPS M, plus 8 EPS D for its cubic part, where D is the
- * size of the net. With sum c_e^2 held above 3/4 and |r_e| <= D, |h| <= 4 D, and
- * h moves by (4/3) 3 (dC + D (dN + 4 EPS)) + 4 D (4/3) (6 dN + 8 EPS) < 4 dC + D (36 dN + 60 EPS)
- */
+ * size of the net. With sum c_e^2 held above 3/4 and |r_e| <= D, |h| <= 4 D, and h moves by
+ * (4/3) 3 (dC + D (dN + 4 EPS)) + 4 D (4/3) (6 dN + 8 EPS) < 4 dC + D (36 dN + 60 EPS). */
 static double centre_tolerance(const n3_patch *p, const sample *s, int rule)
 {
     double M = reach(p->p, 10), D = 0, sum;

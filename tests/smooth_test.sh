@@ -143,8 +143,9 @@ refuse_obj 'a corner with a tail' "${points}f 1 2 3x\\n" ":4: '3x' is not a face
 refuse_obj 'a word for a group' 's a\n' ":1: 'a' is not a smoothing group"
 refuse_obj 'no triangle' "$points" ': there are no triangles in it'
 refuse_obj 'an empty file' '' ': the file is empty'
-refuse_obj 'collapsed triangles alone' "${points}f 1 2 2\\n" \
-    ': all its triangles have collapsed, no two points differ'
+obj "${points}f 1 2 2\\n"
+same 'collapsed triangles alone' "$(quiet "$dir/in.obj" --report 2>&1)" \
+    "smooth: $dir/in.obj: all its triangles have collapsed"
 refuse_obj 'control characters' 'v 0 0 \033[31m\n' ":1: '?[31m' is not a finite number"
 refuse 'an absent file' "$dir/absent.obj" ': No such file or directory'
 mkdir "$dir/folder.obj"
