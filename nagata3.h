@@ -179,7 +179,7 @@ enum {
 typedef struct n3_options {
     int rule;      /* N3_RULE_PAPER; an unknown value means the same */
     n3_real tan_lo; /* 1/10: smallest tangent of the angle at an end, epsilon of (5.1.11) */
-    n3_real tan_hi; /* 10: largest, Omega of (5.1.12); at least tan_lo */
+    n3_real tan_hi; /* 10: largest, Omega of (5.1.12); one below tan_lo counts as tan_lo */
 } n3_options;
 
 typedef char n3i_assert_packed[sizeof(n3_vec) == 3 * sizeof(n3_real) ? 1 : -1];
@@ -280,7 +280,7 @@ NAGATA3_API n3_vec n3_patch_centre(const n3_edge *ab, const n3_edge *bc, const n
 /* Ours, for edges of the arc rule: the centre with cubic precision along the surface, and with
    neighbours that nearly agree on the normal in the middle of the edge that they share. n: unit
    normals at a, b, c. mid: a wanted normal at the middle of ab, bc, ca, of any length; NULL means
-   the sum of the edge's end normals. A normal that vanishes contributes nothing. */
+   the sum of the edge's end normals. A normal or an edge that vanishes contributes nothing. */
 NAGATA3_API n3_vec n3_patch_centre_arc(const n3_edge *ab, const n3_edge *bc, const n3_edge *ca,
                                        const n3_vec n[3], const n3_vec mid[3]);
 
@@ -584,7 +584,6 @@ NAGATA3_API n3_options n3i_defaults(const n3_options *given)
     if (given) o = *given;
     if (!(o.tan_lo > 0)) o.tan_lo = (n3_real)1 / 10;
     if (!(o.tan_hi > 0)) o.tan_hi = 10;
-    o.tan_hi = n3i_larger(o.tan_hi, o.tan_lo);
     return o;
 }
 

@@ -5,16 +5,17 @@
 
 void mesh_read(const char *path, mesh *m)
 {
-    void (*read)(const char *, char *, size_t, mesh *) =
-        has_extension(path, ".obj") ? mesh_read_obj :
-        has_extension(path, ".stl") ? mesh_read_stl : NULL;
+    const int is_obj = has_extension(path, ".obj");
     char *data;
     size_t size;
     memset(m, 0, sizeof *m);
-    if (!read) fail(path, 0, "only .obj and .stl can be read");
+    if (!is_obj && !has_extension(path, ".stl")) fail(path, 0, "only .obj and .stl can be read");
     data = file_read(path, &size);
     if (!size) fail(path, 0, "the file is empty");
-    read(path, data, size, m);
+    if (is_obj)
+        mesh_read_obj(path, data, size, m);
+    else
+        mesh_read_stl(path, data, size, m);
     free(data);
     if (!m->triangles) fail(path, 0, "there are no triangles in it");
 }

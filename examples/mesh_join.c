@@ -68,8 +68,10 @@ static void join_equal(mesh *m, int *kept)
         t.key[i] = m->point[i];
         for (j = *slot(&t, t.key[i]); j >= 0 && !same(t.key[i], t.key[j]); j = t.next[j]) continue;
         kept[i] = j < 0 ? i : j;
-        if (j < 0) table_add(&t, i);
-        else m->joined++;
+        if (j < 0)
+            table_add(&t, i);
+        else
+            m->joined++;
     }
     table_free(&t);
 }
@@ -96,8 +98,7 @@ static int find_close(const table *t, const mesh *m, int i)
 
 static n3_vec cell(n3_vec x, n3_vec lo, n3_real size)
 {
-    return n3_v(floor((x.x - lo.x) / size), floor((x.y - lo.y) / size),
-                floor((x.z - lo.z) / size));
+    return n3_v(floor((x.x - lo.x) / size), floor((x.y - lo.y) / size), floor((x.z - lo.z) / size));
 }
 
 static void join_close(mesh *m, int *kept, n3_vec lo)
@@ -111,8 +112,10 @@ static void join_close(mesh *m, int *kept, n3_vec lo)
         }
         t.key[i] = cell(m->point[i], lo, m->reach);
         j = find_close(&t, m, i);
-        if (j < 0) table_add(&t, i);
-        else kept[i] = j, m->welded++;
+        if (j < 0)
+            table_add(&t, i);
+        else
+            kept[i] = j, m->welded++;
     }
     table_free(&t);
 }

@@ -7,7 +7,9 @@
 
 #include <stdlib.h>
 
-typedef struct corner { int point, normal; } corner;
+typedef struct corner {
+    int point, normal;
+} corner;
 
 typedef struct reader {
     text text;
@@ -15,6 +17,11 @@ typedef struct reader {
     corner *polygon;
     int group;
 } reader;
+
+typedef struct statement {
+    const char *word;
+    void (*read)(reader *r);
+} statement;
 
 static void read_point(reader *r)
 {
@@ -128,7 +135,7 @@ static void read_group(reader *r)
 
 void mesh_read_obj(const char *path, char *data, size_t size, mesh *m)
 {
-    static const struct { const char *word; void (*read)(reader *r); } statements[] = {
+    static const statement statements[] = {
         {"v", read_point}, {"vn", read_normal}, {"f", read_face}, {"s", read_group}};
     reader r = {{0}, NULL, NULL, 0};
     size_t i;

@@ -96,10 +96,7 @@ static void read_ascii(const char *path, char *data, size_t size, mesh *m)
 }
 
 /* ASCII files begin with "solid", and so do some binary ones; only these have a zero byte. */
-static int is_text(const char *data, size_t size)
-{
-    return !memchr(data, 0, size);
-}
+static int is_text(const char *data, size_t size) { return !memchr(data, 0, size); }
 
 void mesh_read_stl(const char *path, char *data, size_t size, mesh *m)
 {

@@ -32,8 +32,10 @@ static int is_continued(const char *at) { return at[0] == '\\' && at[1] == '\n';
 int text_more(text *t)
 {
     for (;; t->at++) {
-        if (is_continued(t->at)) t->at++, t->line++;
-        else if (!is_blank(*t->at)) break;
+        if (is_continued(t->at))
+            t->at++, t->line++;
+        else if (!is_blank(*t->at))
+            break;
     }
     return t->at < t->end && *t->at != '\n' && *t->at != '#';
 }

@@ -82,11 +82,16 @@ static void print_and_exit(const char *text)
 /* Options without a value. False if it is none of them. */
 static int read_switch(options *o, const char *a)
 {
-    if (!strcmp(a, "--bezier")) o->bezier = 1;
-    else if (!strcmp(a, "--report")) o->report = 1;
-    else if (!strcmp(a, "--json")) o->report = o->json = 1;
-    else if (!strcmp(a, "--quiet")) o->quiet = 1;
-    else return 0;
+    if (!strcmp(a, "--bezier"))
+        o->bezier = 1;
+    else if (!strcmp(a, "--report"))
+        o->report = 1;
+    else if (!strcmp(a, "--json"))
+        o->report = o->json = 1;
+    else if (!strcmp(a, "--quiet"))
+        o->quiet = 1;
+    else
+        return 0;
     return 1;
 }
 
@@ -118,10 +123,14 @@ static options read_options(int argc, char **argv)
         }
         if (!strcmp(a, "--version")) print_and_exit("smooth " NAGATA3_VERSION "\n");
         if (read_switch(&o, a)) continue;
-        if (read_value(&o, a, argv[i + 1])) i++;
-        else if (a[0] == '-') misuse("there is no option '%s'", a);
-        else if (o.in) misuse("one file at a time, not '%s' as well", a);
-        else o.in = a;
+        if (read_value(&o, a, argv[i + 1]))
+            i++;
+        else if (a[0] == '-')
+            misuse("there is no option '%s'", a);
+        else if (o.in)
+            misuse("one file at a time, not '%s' as well", a);
+        else
+            o.in = a;
     }
     if (!o.in) misuse("no file to read");
     if (!o.out && !o.report) misuse("no file to write; -o OUT names it");

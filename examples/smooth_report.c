@@ -32,8 +32,7 @@ static int found(const mesh *m, const surface *s, const n3_report *r, row *rows)
         {"duplicate_triangles", r->duplicate_triangles, "triangles are there already"},
         {"border_edges", r->border_edges, "edges have one triangle: the surface ends there"},
         {"non_manifold_edges", r->non_manifold_edges, "edges have three triangles or more"},
-        {"flipped_edges", r->flipped_edges,
-         "edges have triangles that disagree about the outside"},
+        {"flipped_edges", r->flipped_edges, "edges have triangles that disagree about the outside"},
         {"degenerate_edges", r->degenerate_edges, "edges have no length"},
         {"inferred_normals", s->inferred, "corners had no normal; it was inferred"},
         {"zero_normals", r->zero_normals, "corners have no normal for all that"},
@@ -104,8 +103,7 @@ void report_text(const char *in, const mesh *m, const surface *s, const n3_repor
     row rows[ROWS];
     printf("%s: %d triangles, %d points, %d edges\n", in, r->triangles, r->points, r->edges);
     printf("\nFound:\n");
-    if (is_closed(r))
-        printf("  The mesh is closed: every edge joins two triangles.\n");
+    if (is_closed(r)) printf("  The mesh is closed: every edge joins two triangles.\n");
     print_rows(rows, found(m, s, r, rows));
     printf("\nMade, by the rule '%s':\n", s->rule->name);
     print_rows(rows, done(s, r, rows));
@@ -114,21 +112,25 @@ void report_text(const char *in, const mesh *m, const surface *s, const n3_repor
         print_place(patch_middle(s, r->distance_triangle));
     }
     if (r->jump_edge >= 0) {
-        printf("  Between smooth patches it bends by at most %.4g degrees", (double)jump_degrees(r));
+        printf("  Between smooth patches it bends by at most %.4g degrees",
+               (double)jump_degrees(r));
         print_place(edge_middle(s, r->jump_edge));
     }
     if (out->path)
-        printf("\nWritten: %s, %d %s triangles on %d points\n", out->path, out->triangles, out->kind,
-               out->points);
+        printf("\nWritten: %s, %d %s triangles on %d points\n", out->path, out->triangles,
+               out->kind, out->points);
 }
 
 static void json_string(const char *name, const char *s)
 {
     printf("  \"%s\": \"", name);
     for (; *s; s++) {
-        if (*s == '"' || *s == '\\') printf("\\%c", *s);
-        else if ((unsigned char)*s < 32) printf("\\u%04x", (unsigned)*s);
-        else putchar(*s);
+        if (*s == '"' || *s == '\\')
+            printf("\\%c", *s);
+        else if ((unsigned char)*s < 32)
+            printf("\\u%04x", (unsigned)*s);
+        else
+            putchar(*s);
     }
     printf("\",\n");
 }
@@ -142,9 +144,8 @@ static void json_rows(const row *rows, int n)
 void report_json(const char *in, const mesh *m, const surface *s, const n3_report *r,
                  const product *out)
 {
-    const row counts[] = {{"triangles", r->triangles, ""},
-                          {"points", r->points, ""},
-                          {"edges", r->edges, ""}};
+    const row counts[] = {
+        {"triangles", r->triangles, ""}, {"points", r->points, ""}, {"edges", r->edges, ""}};
     const row written[] = {{"output_triangles", out->triangles, ""},
                            {"output_points", out->points, ""}};
     row rows[ROWS];

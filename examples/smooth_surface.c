@@ -35,9 +35,9 @@ static n3_edge flat_edge(n3_vertex a, n3_vertex b)
 const smooth_rule *smooth_rule_find(const char *name)
 {
     static const smooth_rule rules[] = {
-        {"paper", N3_RULE_PAPER, NULL},         {"arc", N3_RULE_ARC, NULL},
-        {"fit", N3_RULE_FIT, NULL},             {"nagata", N3_RULE_PAPER, nagata_edge},
-        {"pn", N3_RULE_PAPER, pn_edge},         {"flat", N3_RULE_PAPER, flat_edge}};
+        {"paper", N3_RULE_PAPER, NULL}, {"arc", N3_RULE_ARC, NULL},
+        {"fit", N3_RULE_FIT, NULL},     {"nagata", N3_RULE_PAPER, nagata_edge},
+        {"pn", N3_RULE_PAPER, pn_edge}, {"flat", N3_RULE_PAPER, flat_edge}};
     size_t i;
     for (i = 0; i < sizeof rules / sizeof *rules; i++)
         if (strcmp(rules[i].name, name) == 0) return &rules[i];
@@ -57,8 +57,7 @@ static unsigned char *group_marks(const mesh *m, const n3_topology *t)
     int e, i;
     for (e = 0; e < t->edges; e++) {
         int group = m->group[t->side[t->first[e]] / 3], sharp = !group;
-        for (i = t->first[e]; i < t->first[e + 1]; i++)
-            sharp |= m->group[t->side[i] / 3] != group;
+        for (i = t->first[e]; i < t->first[e + 1]; i++) sharp |= m->group[t->side[i] / 3] != group;
         for (i = t->first[e]; i < t->first[e + 1]; i++) mark[t->side[i]] = (unsigned char)sharp;
     }
     return mark;
@@ -76,10 +75,12 @@ static void make_normals(const char *path, const mesh *m, n3_real cos_crease, su
 {
     unsigned char *mark = m->grouped ? group_marks(m, &s->topology) : NULL;
     int normals = 0, item = 0;
+    n3_status status;
     s->normal = allocate((size_t)m->normals + 3 * (size_t)m->triangles, sizeof *s->normal);
     s->corner = allocate((size_t)m->triangles, 3 * sizeof *s->corner);
-    check(path, n3_mesh_normals(&s->mesh, &s->topology, cos_crease, mark, s->normal, s->corner,
-                                &normals, &item), item);
+    status = n3_mesh_normals(&s->mesh, &s->topology, cos_crease, mark, s->normal, s->corner,
+                             &normals, &item);
+    check(path, status, item);
     free(mark);
     s->mesh.normals = normals;
     s->mesh.normal = &s->normal->x;
@@ -158,6 +159,7 @@ static void replace_net(const surface *s)
 
 static void make_topology(const char *path, const mesh *m, surface *s)
 {
+    n3_status status;
     size_t size;
     int item = 0;
     memset(s, 0, sizeof *s);
@@ -172,13 +174,15 @@ static void make_topology(const char *path, const mesh *m, surface *s)
     }
     size = n3_mesh_workspace(&s->mesh);
     s->work = allocate(size, 1);
-    check(path, n3_mesh_topology(&s->mesh, s->work, size, &s->topology, &item), item);
+    status = n3_mesh_topology(&s->mesh, s->work, size, &s->topology, &item);
+    check(path, status, item);
 }
 
 void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_real cos_crease,
                   surface *s)
 {
     n3_options options = {0, 0, 0};
+    n3_status status;
     int item = 0;
     make_topology(path, m, s);
     make_normals(path, m, cos_crease, s);
@@ -188,7 +192,8 @@ void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_r
     s->net = allocate((size_t)s->nodes, sizeof *s->net);
     s->flags = allocate((size_t)s->topology.edges, sizeof *s->flags);
     options.rule = rule->rule;
-    check(path, n3_mesh_net(&s->mesh, &s->topology, &options, s->net, s->flags, &item), item);
+    status = n3_mesh_net(&s->mesh, &s->topology, &options, s->net, s->flags, &item);
+    check(path, status, item);
     if (rule->edge) replace_net(s);
 }
 

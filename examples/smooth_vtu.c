@@ -47,8 +47,8 @@ static void node_normals(const surface *s, n3_vec *normal)
 static void write_vectors(FILE *f, const char *name, const n3_vec *a, int n)
 {
     int i;
-    fprintf(f, "<DataArray type=\"Float64\" Name=\"%s\" NumberOfComponents=\"3\" "
-               "format=\"ascii\">\n", name);
+    fprintf(f, "<DataArray type=\"Float64\" Name=\"%s\" NumberOfComponents=\"3\" ", name);
+    fputs("format=\"ascii\">\n", f);
     for (i = 0; i < n; i++) write_vec(f, a[i]);
     fputs("</DataArray>\n", f);
 }
@@ -79,8 +79,8 @@ void surface_write_vtu(FILE *f, const surface *s, int bezier)
             "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n"
             "<Piece NumberOfPoints=\"%d\" NumberOfCells=\"%d\">\n",
             s->nodes, s->mesh.triangles);
-    fputs(surface_edges_with(s, N3_EDGE_CREASE) ? "<PointData>\n"
-                                                : "<PointData Normals=\"normal\">\n", f);
+    fprintf(f, "<PointData%s>\n",
+            surface_edges_with(s, N3_EDGE_CREASE) ? "" : " Normals=\"normal\"");
     node_normals(s, a);
     write_vectors(f, "normal", a, s->nodes);
     fputs("</PointData>\n<Points>\n", f);
