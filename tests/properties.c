@@ -18,6 +18,12 @@ enum { PAPER, ARC, RULES = sizeof rules / sizeof *rules };
 /* What a test may skip beyond the share that it states, for short runs. */
 enum { FEW = 20 };
 
+/* Through pointers, so that one compiled copy answers: two may round differently where the compiler
+ * contracts products and sums. */
+static n3_segment (*volatile const segment_make)(n3_vertex, n3_vertex) = n3_segment_make;
+static n3_vec (*volatile const segment_curvature)(n3_vertex, n3_vertex) = n3_segment_curvature;
+static n3_vec (*volatile const curve_plane)(n3_vertex, n3_vertex) = n3_curve_plane;
+
 static void check_same_net(const n3_vec *got, const n3_vec *want, int count, long row)
 {
     int k;
@@ -50,11 +56,11 @@ static void segments_are_the_same_from_either_end(void)
     long i, count = sample_count(100000);
     for (i = 0; i < count; i++) {
         sample s = sample_make(i);
-        n3_segment ab = n3_segment_make(s.v[0], s.v[1]), ba = n3_segment_make(s.v[1], s.v[0]);
+        n3_segment ab = segment_make(s.v[0], s.v[1]), ba = segment_make(s.v[1], s.v[0]);
         n3_vec back[3];
         int k;
         for (k = 0; k < 3; k++) back[k] = ba.p[2 - k];
-        CHECK_SAME(n3_segment_curvature(s.v[0], s.v[1]), n3_segment_curvature(s.v[1], s.v[0]), i);
+        CHECK_SAME(segment_curvature(s.v[0], s.v[1]), segment_curvature(s.v[1], s.v[0]), i);
         check_same_net(back, ab.p, 3, i);
     }
 }
@@ -64,7 +70,7 @@ static void curve_planes_are_the_same_from_either_end(void)
     long i, count = sample_count(100000);
     for (i = 0; i < count; i++) {
         sample s = sample_make(i);
-        n3_vec m = n3_curve_plane(s.v[0], s.v[1]), back = n3_curve_plane(s.v[1], s.v[0]);
+        n3_vec m = curve_plane(s.v[0], s.v[1]), back = curve_plane(s.v[1], s.v[0]);
         CHECK(same_vec(m, back) || same_vec(m, n3_mul(-1, back)), i);
     }
 }
@@ -166,18 +172,32 @@ static void neighbours_share_points(void)
     }
 }
 
+static double length(n3_vec a) { return d_len(wide(a)); }
+
+/* The parts of (<n0, d> n1 + <n1, d> n0) x X / |X|^2 have the errors 4 u L, 4 u L, 3 u L and
+ * 3 u L |X| in the product and 6 u in X: |dc| <= 26 u L / |X|, and p11 adds its own rounding.
+ * Negative where normals count as parallel, or nearly do. */
+static double segment_tolerance(n3_vertex a, n3_vertex b, const n3_segment *s)
+{
+    double X = d_len(d_cross(wide(a.n), d_sub(wide(b.n), wide(a.n))));
+    if (X < 2 * (double)N3_PARALLEL) return -1;
+    return 13 * EPS * length(n3_sub(b.x, a.x)) / X + 4 * EPS * reach(s->p, 3);
+}
+
+/* Their middle control points, to rounding only: a contracting compiler may make two copies. */
 static void quadratic_patches_have_the_segments(void)
 {
-    static const int middle[3] = {3, 4, 5};
     long i, count = sample_count(20000);
     for (i = 0; i < count; i++) {
         sample s = sample_make(i);
         n3_patch2 q = n3_patch2_make(s.v[0], s.v[1], s.v[2]);
         int k;
         for (k = 0; k < 3; k++) {
-            n3_segment e = n3_segment_make(s.v[k], s.v[(k + 1) % 3]);
-            CHECK_SAME(q.p[k], s.v[k].x, i);
-            CHECK_SAME(q.p[middle[k]], e.p[1], i);
+            n3_vertex a = s.v[k], b = s.v[(k + 1) % 3];
+            n3_segment e = n3_segment_make(a, b);
+            double tolerance = segment_tolerance(a, b, &e);
+            CHECK_SAME(q.p[k], a.x, i);
+            if (tolerance >= 0) CHECK_VEC(q.p[3 + k], e.p[1], tolerance, i);
         }
     }
 }
@@ -243,8 +263,6 @@ static void corners_may_come_in_any_order(void)
 
 /* ---- Tangency ---- */
 
-static double length(n3_vec a) { return d_len(wide(a)); }
-
 /* The sine between the chord and the normal, 0 without a chord. */
 static double sine_to_chord(n3_vertex a, n3_vertex b, n3_vec n)
 {
@@ -291,19 +309,14 @@ static void edges_are_tangent_to_the_end_planes(void)
     }
 }
 
-/* The parts of (<n0, d> n1 + <n1, d> n0) x X / |X|^2 have the errors 4 u L, 4 u L, 3 u L and
- * 3 u L |X| in the product and 6 u in X: |dc| <= 26 u L / |X|, and p11 adds its own rounding. */
 static void segments_are_tangent_to_the_end_planes(void)
 {
     long i, count = sample_count(100000);
     for (i = 0; i < count; i++) {
         sample s = sample_make(i);
         n3_segment e = n3_segment_make(s.v[0], s.v[1]);
-        double L = length(n3_sub(e.p[2], e.p[0]));
-        double X = d_len(d_cross(wide(s.v[0].n), d_sub(wide(s.v[1].n), wide(s.v[0].n))));
-        double tolerance;
-        if (X < 2 * (double)N3_PARALLEL) continue; /* parallel: the chord */
-        tolerance = 13 * EPS * L / X + 4 * EPS * reach(e.p, 3);
+        double tolerance = segment_tolerance(s.v[0], s.v[1], &e);
+        if (tolerance < 0) continue; /* parallel: the chord */
         CHECK_NEAR(d_dot(wide(n3_sub(e.p[1], e.p[0])), wide(s.v[0].n)), 0, tolerance, i);
         CHECK_NEAR(d_dot(wide(n3_sub(e.p[2], e.p[1])), wide(s.v[1].n)), 0, tolerance, i);
     }
@@ -553,13 +566,6 @@ static void paper_edges_do_not_need_oriented_normals(void)
 
 /* ---- Scale ---- */
 
-static void check_scaled(const n3_vec *got, const n3_vec *want, int count, int exponent, long row)
-{
-    int k;
-    for (k = 0; k < count; k++)
-        if (!CHECK_SAME(got[k], scale_vec(want[k], exponent), row)) break;
-}
-
 static void powers_of_two_change_no_bit(void)
 {
     long i, count = sample_count(100000);
@@ -567,22 +573,14 @@ static void powers_of_two_change_no_bit(void)
         sample s = sample_make(i);
         const n3_options *o = &rules[i / KINDS % RULES];
         int exponent = (int)(rng_next(&s.r) % 41) - 20, k;
-        n3_vertex w[3];
-        n3_patch p = n3_patch_make(s.v[0], s.v[1], s.v[2], o), q;
-        n3_patch2 p2 = n3_patch2_make(s.v[0], s.v[1], s.v[2]), q2;
-        n3_jet j, g;
+        n3_vertex scaled[3];
+        answers want, got;
         n3_real u, v;
         dyadic_weights(&s.r, &u, &v);
-        for (k = 0; k < 3; k++) w[k] = scale_vertex(s.v[k], exponent);
-        q = n3_patch_make(w[0], w[1], w[2], o), q2 = n3_patch2_make(w[0], w[1], w[2]);
-        j = n3_patch_jet(&p, u, v), g = n3_patch_jet(&q, u, v);
-        check_scaled(q.p, p.p, 10, exponent, i);
-        check_scaled(q2.p, p2.p, 6, exponent, i);
-        check_scaled(&g.x, &j.x, 1, exponent, i);
-        check_scaled(&g.du, &j.du, 1, exponent, i);
-        check_scaled(&g.duv, &j.duv, 1, exponent, i);
-        CHECK_SAME(n3_patch_normal(&q, u, v), n3_patch_normal(&p, u, v), i);
-        CHECK_SAME(n3_curve_plane(w[0], w[1]), n3_curve_plane(s.v[0], s.v[1]), i);
+        for (k = 0; k < 3; k++) scaled[k] = scale_vertex(s.v[k], exponent);
+        want = ask(s.v, o, u, v);
+        got = ask(scaled, o, u, v);
+        check_alike(&got, &want, exponent, i);
     }
 }
 

@@ -174,3 +174,60 @@ double reach(const n3_vec *p, int count)
     }
     return largest;
 }
+
+static n3_vec *put(n3_vec *to, const n3_vec *from, int count)
+{
+    int k;
+    for (k = 0; k < count; k++) *to++ = from[k];
+    return to;
+}
+
+static n3_vec *put_patch(n3_vec *to, const n3_patch *p, n3_real u, n3_real v)
+{
+    n3_jet j = n3_patch_jet(p, u, v);
+    n3_vec net[16], jet[6];
+    jet[0] = j.x, jet[1] = j.du, jet[2] = j.dv, jet[3] = j.duu, jet[4] = j.duv, jet[5] = j.dvv;
+    n3_patch_bicubic(p, net);
+    to = put(to, p->p, 10);
+    to = put(to, jet, 6);
+    return put(to, net, 16);
+}
+
+static n3_vec *put_edge(n3_vec *to, const n3_edge *e, n3_real t)
+{
+    n3_edge part[2];
+    n3_curve_jet j = n3_edge_jet(e, t);
+    n3_edge_split(e, t, part);
+    to = put(to, part[0].p, 4);
+    *to++ = j.x, *to++ = j.dt, *to++ = j.dtt;
+    return to;
+}
+
+answers ask(const n3_vertex x[3], const n3_options *o, n3_real u, n3_real v)
+{
+    answers r;
+    n3_patch p = n3_patch_make(x[0], x[1], x[2], o), raised;
+    n3_patch2 q = n3_patch2_make(x[0], x[1], x[2]);
+    n3_edge e[3];
+    n3_vec *to = put_patch(r.linear, &p, u, v);
+    raised = n3_patch2_raise(&q);
+    n3_patch_edges(&p, e);
+    to = put(to, q.p, 6);
+    to = put(to, raised.p, 10);
+    to = put_edge(to, &e[0], u);
+    to = put_edge(to, &e[1], v);
+    *to++ = n3_patch2_point(&q, u, v);
+    *to++ = n3_segment_curvature(x[1], x[2]);
+    r.unit[0] = n3_patch_normal(&p, u, v);
+    r.unit[1] = n3_patch_normal(&raised, u, v);
+    r.unit[2] = n3_curve_plane(x[0], x[1]);
+    return r;
+}
+
+void check_alike(const answers *got, const answers *want, int exponent, long row)
+{
+    int k;
+    for (k = 0; k < LINEAR; k++)
+        if (!CHECK_SAME(got->linear[k], scale_vec(want->linear[k], exponent), row)) break;
+    for (k = 0; k < UNIT; k++) CHECK_SAME(got->unit[k], want->unit[k], row);
+}

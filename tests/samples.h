@@ -42,4 +42,14 @@ void dyadic_weights(rng *r, n3_real *u, n3_real *v);
 /* The largest coordinate. */
 double reach(const n3_vec *p, int count);
 
+/* What every function says to the same triangle: vectors that grow with it, and unit ones. Asked
+ * here and not where it is compared, so that one compiled copy of the header answers: two may
+ * round differently where the compiler contracts products and sums. */
+enum { LINEAR = 64, UNIT = 3 };
+typedef struct answers { n3_vec linear[LINEAR], unit[UNIT]; } answers;
+answers ask(const n3_vertex x[3], const n3_options *o, n3_real u, n3_real v);
+
+/* Equal bit by bit, want having been scaled by 2^exponent. */
+void check_alike(const answers *got, const answers *want, int exponent, long row);
+
 #endif
