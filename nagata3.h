@@ -356,15 +356,16 @@ NAGATA3_API int n3i_is_zero(n3_vec a) { return n3i_abs(a.x) + n3i_abs(a.y) + n3i
 NAGATA3_API n3_real n3_len(n3_vec a)
 {
     n3_real s = n3i_largest(a);
-    if (n3i_is_zero(a)) return 0;
+    if (!(s > 0)) return s + a.x + a.y + a.z; /* 0, or NaN */
     a = n3i_over(a, s);
     return s * n3i_sqrt(n3_dot(a, a));
 }
 
 NAGATA3_API n3_vec n3_unit(n3_vec a)
 {
-    if (n3i_is_zero(a)) return a;
-    a = n3i_over(a, n3i_largest(a));
+    n3_real s = n3i_largest(a);
+    if (!(s > 0)) return n3_mul(n3_len(a), a); /* zero, or NaN throughout */
+    a = n3i_over(a, s);
     return n3i_over(a, n3i_sqrt(n3_dot(a, a)));
 }
 
@@ -584,6 +585,7 @@ NAGATA3_API n3_options n3i_defaults(const n3_options *given)
     if (given) o = *given;
     if (!(o.tan_lo > 0)) o.tan_lo = (n3_real)1 / 10;
     if (!(o.tan_hi > 0)) o.tan_hi = 10;
+    o.tan_hi = n3i_larger(o.tan_hi, o.tan_lo);
     return o;
 }
 
@@ -950,8 +952,9 @@ NAGATA3_API void n3_mesh_edge_ends(const n3_mesh *m, const n3_topology *t, int e
 /* A unit normal for every corner. Given ones are made unit and keep their index. Where a corner
    has none, or zero, the normal is inferred, one for each fan: the triangles round a point that
    hang together over edges that are no creases. A crease is an edge with a marked side, with other
-   than two triangles, with two that disagree about which side is outside, or with a cosine of the
-   angle between their normals below cos_crease (-1: marks alone).
+   than two triangles, or with two that disagree about which side is outside; or where normals
+   given to both of them at an end differ; or, if none are, with a cosine of the angle between the
+   triangles below cos_crease (-1: none of these).
    The inferred normal is Max's sum over the fan, e0 and e1 the sides that meet in the corner,
 
        n = sum (e0 x e1) / (|e0|^2 |e1|^2)
@@ -970,7 +973,8 @@ NAGATA3_API n3_status n3_mesh_normals(const n3_mesh *m, const n3_topology *t, n3
 /* What the construction met with and did at an edge. */
 enum {
     N3_EDGE_STRAIGHT = 1,        /* all control points are on the chord */
-    N3_EDGE_S_SHAPED = 2,        /* leaves and meets the chord from different sides */
+    N3_EDGE_S_SHAPED = 2,        /* leaves the chord on one side and comes back from the other, by
+                                    more than 1.1 degrees */
     N3_EDGE_CLAMPED = 4,         /* paper: an angle was clamped, (5.1.11) (5.1.12) */
     N3_EDGE_BRANCH_60 = 8,       /* paper: an angle was above 60 degrees, (5.1.13) (5.1.14) */
     N3_EDGE_TURNED = 16,         /* paper: seen along the chord, the ends' normals are more than 90
@@ -1060,17 +1064,18 @@ typedef struct n3_report {
     int flat_triangles;                /* others without an area: their points are in a line */
     int duplicate_triangles;           /* have the three points of one before them */
     int unused_points;                 /* in no triangle */
-    int zero_normals;                  /* corners without a normal */
+    int zero_normals;                  /* corners without a normal, not of collapsed triangles */
     int flipped_normals;               /* corners whose normal looks to the back of the triangle */
     int border_edges, non_manifold_edges, flipped_edges;           /* by the topology */
     int straight_edges, s_shaped_edges, clamped_edges, branch_60_edges, turned_edges;
     int crease_edges, half_crease_edges, degenerate_edges;         /* by the flags */
     int folding_patches;               /* that may fold */
-    n3_real jump;                      /* largest |n - n'| of the unit normals of two patches at a
-                                          smooth edge's quarters: 2 sin of half the angle */
-    int jump_edge;                     /* where; -1: there is no smooth edge */
+    n3_real jump;                      /* largest |n - n'|, 2 sin of half the angle, of the unit
+                                          normals of two patches at the quarters of a smooth edge;
+                                          flat and collapsed triangles are left out */
+    int jump_edge;                     /* where; -1: there is no such edge */
     n3_real distance;                  /* largest distance of a patch to its triangle's plane, at
-                                          the lattice of quarters */
+                                          the lattice of sixths */
     int distance_triangle;             /* where; -1: there is no triangle */
 } n3_report;
 
@@ -1400,6 +1405,11 @@ NAGATA3_API int n3i_is_regular(const n3_mesh *m, const n3_topology *t, int edge,
 
 /* ---- Definitions: normals ---- */
 
+/* Tolerances of the crease: sines of the angle between normals. Up to the first, 1.1 degrees,
+   their difference is noise and its direction means nothing; from the second, 5.7, it is meant. */
+#define N3_CREASE_LO ((n3_real)1 / 50)
+#define N3_CREASE_HI ((n3_real)1 / 10)
+
 /* A triangle's unit normal, zero when it has none; its longest side; the root of twice its area. */
 typedef struct n3i_face { n3_vec normal; int longest; n3_real root; } n3i_face;
 
@@ -1435,6 +1445,28 @@ NAGATA3_API n3_vec n3i_fan_normal(const n3_mesh *m, const n3_topology *t, int tr
     return n3i_face_of(m, (two[0] == face.longest ? two[1] : two[0]) / 3).normal;
 }
 
+/* The normal given for a corner, -1: none, or zero. */
+NAGATA3_API int n3i_given(const n3_mesh *m, int c)
+{
+    int i = n3i_normal_at(m, c);
+    return i >= 0 && n3i_is_zero(n3i_vec_at(m->normal, m->normal_stride, i)) ? -1 : i;
+}
+
+/* Whether the normals given to the two triangles of an edge differ at an end: 0 or 1, or -1 where
+   both have one at neither. */
+NAGATA3_API int n3i_given_crease(const n3_mesh *m, const int two[2])
+{
+    int i, answer = -1;
+    for (i = 0; i < 2; i++) {
+        int c = i ? n3i_after(two[0]) : two[0], d = i ? two[1] : n3i_after(two[1]);
+        n3_vec n0 = n3i_corner_normal(m, c), n1 = n3i_corner_normal(m, d);
+        if (n3i_given(m, c) < 0 || n3i_given(m, d) < 0) continue;
+        if (n3_dot(n0, n1) < 0 || n3_len(n3_cross(n0, n1)) > N3_CREASE_LO) return 1;
+        answer = 0;
+    }
+    return answer;
+}
+
 NAGATA3_API int n3i_is_crease(const n3_mesh *m, const n3_topology *t, int edge, n3_real cos_crease,
                               const unsigned char *mark)
 {
@@ -1443,7 +1475,8 @@ NAGATA3_API int n3i_is_crease(const n3_mesh *m, const n3_topology *t, int edge, 
     if (!n3i_is_regular(m, t, edge, two)) return 1;
     for (i = t->first[edge]; mark && i < t->first[edge + 1]; i++)
         if (mark[t->side[i]]) return 1;
-    if (cos_crease <= -1) return 0;
+    i = n3i_given_crease(m, two);
+    if (i >= 0 || cos_crease <= -1) return i > 0;
     n0 = n3i_fan_normal(m, t, two[0] / 3);
     n1 = n3i_fan_normal(m, t, two[1] / 3);
     return n3i_is_zero(n0) || n3i_is_zero(n1) || !(n3_dot(n0, n1) >= cos_crease);
@@ -1478,13 +1511,6 @@ NAGATA3_API void n3i_make_fans(const n3_mesh *m, const n3_topology *t, n3_real c
         n3i_join(link, two[0], n3i_after(two[1]));
         n3i_join(link, two[1], n3i_after(two[0]));
     }
-}
-
-/* The normal given for a corner, -1: none, or zero. */
-NAGATA3_API int n3i_given(const n3_mesh *m, int c)
-{
-    int i = n3i_normal_at(m, c);
-    return i >= 0 && n3i_is_zero(n3i_vec_at(m->normal, m->normal_stride, i)) ? -1 : i;
 }
 
 /* From links to indices of normals: given ones, and from first on one for each fan that has a
@@ -1642,11 +1668,6 @@ NAGATA3_API int n3i_collect(const n3_mesh *m, const n3_topology *t, int edge, in
     return count;
 }
 
-/* Tolerances of the crease: sines of the angle between normals. Up to the first, 1.1 degrees,
-   their difference is noise and its direction means nothing; from the second, 5.7, it is meant. */
-#define N3_CREASE_LO ((n3_real)1 / 50)
-#define N3_CREASE_HI ((n3_real)1 / 10)
-
 /* The crosses of the pairs, turned along the chord e: their sum, as the crease, and the share that
    it has in the tangent. A crease more than 75 degrees off the chord fades out: its curve could
    only spike. */
@@ -1781,7 +1802,9 @@ NAGATA3_API unsigned n3i_shape_flags(const n3i_seam *seam, const n3_options *giv
     n3i_seam_tangents(seam, given, t);
     for (i = 0; i < 2; i++) bend[i] = n3_cross(e, t[i]);
     if (n3_len(bend[0]) <= N3_NOISE && n3_len(bend[1]) <= N3_NOISE) return N3_EDGE_STRAIGHT;
-    if (n3_dot(bend[0], bend[1]) > 0) flags |= N3_EDGE_S_SHAPED;
+    if (n3_dot(bend[0], bend[1]) > 0 && n3_len(bend[0]) > N3_CREASE_LO &&
+        n3_len(bend[1]) > N3_CREASE_LO)
+        flags |= N3_EDGE_S_SHAPED;
     if (n3i_is_arc(&o)) return flags;
     if (n3_dot(n3_cross(e, seam->end[0].n), n3_cross(e, seam->end[1].n)) < 0)
         flags |= N3_EDGE_TURNED;
@@ -1979,7 +2002,7 @@ NAGATA3_API n3_patch n3i_mesh_patch(const n3_mesh *m, const n3_topology *t, cons
 /* Points inside a patch. */
 NAGATA3_API int n3i_inside(int level)
 {
-    int square = n3i_count_mul(level - 1, level - 2);
+    int square = level < 3 ? 0 : n3i_count_mul(level - 1, level - 2);
     return square < 0 ? -1 : square / 2;
 }
 
@@ -2317,13 +2340,14 @@ NAGATA3_API void n3i_report_triangles(const n3_mesh *m, n3_report *r)
         n3_vec face = n3_v(0, 0, 0);
         if (!n3i_names_points(m, r, f)) {
             r->bad_triangles++;
+            n3i_report_corners(m, f, face, r);
         } else if (n3i_is_collapsed(m, f)) {
             r->collapsed_triangles++;
         } else {
             face = n3i_face_of(m, f).normal;
             r->flat_triangles += n3i_is_zero(face);
+            n3i_report_corners(m, f, face, r);
         }
-        n3i_report_corners(m, f, face, r);
     }
 }
 
@@ -2391,6 +2415,8 @@ NAGATA3_API void n3i_report_jump(const n3_mesh *m, const n3_topology *t, const n
     n3_patch p[2];
     int i, two[2];
     if (!n3i_is_regular(m, t, edge, two)) return;
+    for (i = 0; i < 2; i++)
+        if (n3i_is_zero(n3i_face_of(m, two[i] / 3).normal)) return;
     for (i = 0; i < 2; i++) p[i] = n3i_mesh_patch(m, t, net, two[i] / 3);
     for (i = 1; i < 4; i++) {
         n3_real s = (n3_real)i / 4, jump;
@@ -2410,9 +2436,9 @@ NAGATA3_API void n3i_report_distance(const n3_mesh *m, const n3_patch *p, int tr
 {
     n3_vec face = n3i_face_of(m, triangle).normal;
     int i, j;
-    for (j = 0; j <= 4; j++)
-        for (i = 0; i <= 4 - j; i++) {
-            n3_real u = (n3_real)i / 4, v = (n3_real)j / 4, distance;
+    for (j = 0; j <= 6; j++)
+        for (i = 0; i <= 6 - j; i++) {
+            n3_real u = (n3_real)i / 6, v = (n3_real)j / 6, distance;
             n3_vec flat = n3i_mix(1 - u - v, p->p[0], u, p->p[1], v, p->p[2]);
             n3_vec way = n3_sub(n3_patch_point(p, u, v), flat);
             distance = n3i_is_zero(face) ? n3_len(way) : n3i_abs(n3_dot(way, face));
