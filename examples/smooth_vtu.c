@@ -80,7 +80,8 @@ void surface_write_vtu(FILE *f, const surface *s, int bezier)
             "<Piece NumberOfPoints=\"%d\" NumberOfCells=\"%d\">\n",
             s->nodes, s->mesh.triangles);
     fprintf(f, "<PointData%s>\n",
-            surface_edges_with(s, N3_EDGE_CREASE) ? "" : " Normals=\"normal\"");
+            surface_edges_with(s, N3_EDGE_CREASE | N3_EDGE_HALF_CREASE) ? ""
+                                                                        : " Normals=\"normal\"");
     node_normals(s, a);
     write_vectors(f, "normal", a, s->nodes);
     fputs("</PointData>\n<Points>\n", f);

@@ -102,13 +102,19 @@ quiet "$dir/solid.stl" -o "$dir/out.obj"
 same "binary STL that begins with 'solid'" "$(shape "$dir/out.obj")" "$(shape "$dir/tetra.obj")"
 
 # ---- Polygons: a fan from the widest corner. ----
-obj 'v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4\n'
-quiet "$dir/in.obj" -o "$dir/out.obj" -n 1
-same 'a polygon with a corner inwards' "$(grep '^f' "$dir/out.obj" | sed 's|//[0-9]*||g' | tr '\n' ';')" \
-    'f 3 4 1;f 3 1 2;'
-obj 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n'
-quiet "$dir/in.obj" -o "$dir/out.obj" -n 1
-same 'a square' "$(grep '^f' "$dir/out.obj" | sed 's|//[0-9]*||g' | tr '\n' ';')" 'f 1 2 3;f 1 3 4;'
+fan() {
+    obj "$2"
+    quiet "$dir/in.obj" -o "$dir/out.obj" -n 1
+    same "$1" "$(grep '^f' "$dir/out.obj" | sed 's|//[0-9]*||g' | tr '\n' ';')" "$3"
+}
+fan 'a polygon with a corner inwards' 'v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nf 1 2 3 4 5\n' \
+    'f 4 5 1;f 4 1 2;f 4 2 3;'
+fan 'a square' 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n' 'f 1 2 3;f 1 3 4;'
+# Turned and moved its angles differ in the last bit, the second being the widest.
+fan 'a square to seven digits' \
+    'v 1.2493273 1.0726154 0\nv -.0446154 1.6433273 0\nv -.6153273 .3493846 0\nv .6786154 -.2213273 0\nf 1 2 3 4\n' \
+    'f 1 2 3;f 1 3 4;'
+fan 'a trapezoid' 'v 0 0 0\nv 4 0 0\nv 3 1 0\nv 1 1 0\nf 1 2 3 4\n' 'f 3 4 1;f 3 1 2;'
 
 # ---- What is refused: nothing is written, the message names the place. ----
 # refuse NAME FILE REASON: REASON follows "smooth: FILE".
@@ -147,6 +153,10 @@ obj "${points}f 1 2 2\\n"
 same 'collapsed triangles alone' "$(quiet "$dir/in.obj" --report 2>&1)" \
     "smooth: $dir/in.obj: all its triangles have collapsed"
 refuse_obj 'control characters' 'v 0 0 \033[31m\n' ":1: '?[31m' is not a finite number"
+obj 'v 1e39 0 0\nv 0 1 0\nv 0 0 0\nf 1 2 3\n'
+same 'STL beyond single precision' "$(quiet "$dir/in.obj" -o "$dir/no.stl" 2>&1)" \
+    "smooth: $dir/no.stl: a coordinate is too large for STL, beyond 3.40282e+38"
+check 'none is written' [ ! -e "$dir/no.stl" ]
 refuse 'an absent file' "$dir/absent.obj" ': No such file or directory'
 mkdir "$dir/folder.obj"
 refuse 'a folder' "$dir/folder.obj" ': Is a directory'
@@ -207,10 +217,21 @@ if [ -w /dev/full ]; then
 else
     echo 'smooth: no /dev/full here, one test skipped'
 fi
+echo old > "$dir/out.vtu"
+(
+    trap '' XFSZ
+    ulimit -f 1
+    quiet "$dir/tetra.obj" -o "$dir/out.vtu" 2> "$dir/stderr"
+)
+same 'status where the file grows too large' $? 1
+same 'what was there before stays' "$(cat "$dir/out.vtu")" old
+check 'no half of a file is left' [ -z "$(find "$dir" -name '*.part*')" ]
+echo precious > "$dir/out.obj.part0"
 cp "$dir/tetra.obj" "$dir/both.obj"
 quiet "$dir/both.obj" -o "$dir/both.obj"
 quiet "$dir/tetra.obj" -o "$dir/out.obj"
 check 'input and output may be one file' cmp -s "$dir/both.obj" "$dir/out.obj"
+same 'no file is overwritten on the way' "$(cat "$dir/out.obj.part0")" precious
 
 # ---- Values: what is read comes back. ----
 obj 'v 0.1 1e-300 -1.7976931348623157e100\nv 0.30000000000000004 5e-324 123456789.123456789\nv 1 0 0\nf 1 2 3\n'
@@ -231,6 +252,17 @@ check 'rule nagata' middle nagata 1.06066017177982129
 check 'rule paper' middle paper 1.06066017177982129
 check 'rule pn' middle pn 0.88388347648318441
 
+# The same octant in its middle: PN edges have 1, 1/3, 0 at their thirds and 1/2 in the centre, which
+# makes (1 + 3 (8/3) + 6/2) / 27; the others have 1, 2/3, 0 and 2/3.
+centroid() {
+    quiet "$dir/in.obj" -o "$dir/out.obj" -n 3 --rule "$1"
+    awk -v want="$2" '$1 == "v" { x = $2 } END { d = x - want; if (d < 0) d = -d
+        if (d > 1e-14) print "    " x ", not " want; exit d > 1e-14 }' "$dir/out.obj"
+}
+check 'the centre by pn' centroid pn 0.44444444444444444
+check 'the centre by nagata' centroid nagata 0.55555555555555556
+check 'the centre by paper' centroid paper 0.55555555555555556
+
 # ---- The demonstration's mesh. ----
 demo="$dir/demo.obj"
 "$demo_mesh" > "$demo"
@@ -244,6 +276,11 @@ for rule in paper arc fit nagata pn flat; do
         same "triangles of $rule $level" "$(grep -c '^f' "$dir/out.obj")" $((224 * level * level))
         check "$rule $level is watertight" watertight "$dir/out.obj"
     done
+done
+for rule in nagata pn; do
+    quiet "$demo" -o "$dir/out.obj" --rule $rule
+    # The rim is sharp: its curves stay in the plane of the base, to the last bits of coordinates.
+    check "the base by $rule is flat" awk '$1 == "v" && $4 < -1e-15 { exit 1 }' "$dir/out.obj"
 done
 quiet "$demo" -o "$dir/out.stl" -n 3
 quiet "$dir/out.stl" -o "$dir/out.obj" -n 1 --weld 0
@@ -302,6 +339,19 @@ sed '10,16s/vertex 1 0 0/vertex 1.0000001 0 1e-7/' "$dir/ascii.stl" > "$dir/loos
 same 'the default closes it' "$(field closed "$dir/loose.stl")" true
 same 'one point was welded' "$(field welded_points "$dir/loose.stl")" 1
 same 'joining equal points does not' "$(field closed "$dir/loose.stl" --weld 0)" false
+# A sheet of 10 x 10 squares, each triangle's points apart by up to 1.04e-5, 0.73e-6 of the diagonal.
+awk 'function jitter() { seed = (seed * 1103 + 12345) % 65536; return (seed / 32768 - 1) * 3e-6 }
+     function point(x, y) { printf "vertex %.9f %.9f %.9f\n", x + jitter(), y + jitter(), jitter() }
+     function triangle(x, y, i, j, k, l) {
+         print "facet normal 0 0 0\nouter loop"
+         point(x, y); point(x + i, y + j); point(x + k, y + l)
+         print "endloop\nendfacet" }
+     BEGIN { print "solid"
+         for (x = 0; x < 10; x++) for (y = 0; y < 10; y++) {
+             triangle(x, y, 1, 0, 1, 1); triangle(x, y, 1, 1, 0, 1) }
+         print "endsolid" }' > "$dir/sheet.stl"
+same 'points of the sheet' "$(field points "$dir/sheet.stl")" 121
+same 'border of the sheet' "$(field border_edges "$dir/sheet.stl")" 40
 same 'a coarse weld is counted' "$(field collapsed_triangles "$dir/cube.obj" --weld 0.6)" 8
 
 # ---- The shared meshes, where they are. ----
