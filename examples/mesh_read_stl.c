@@ -107,7 +107,7 @@ void mesh_read_stl(const char *path, char *data, size_t size, mesh *m)
     } else if (is_text(data, size)) {
         read_ascii(path, data, size, m);
     } else {
-        fail(path, 0, "binary STL of %lu triangles is %lu bytes long, this file %lu",
-             (unsigned long)count, (unsigned long)(HEADER + FACET * count), (unsigned long)size);
+        fail(path, 0, "binary STL of %lu triangles is %.0f bytes long, this file %lu",
+             (unsigned long)count, HEADER + FACET * (double)count, (unsigned long)size);
     }
 }
