@@ -1,0 +1,848 @@
+/* Meshes: topology, normals, fields, the report, and what the calls answer to bad input. */
+#include "shapes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void *memory(size_t count, size_t size)
+{
+    void *p = calloc(count + 1, size);
+    if (!p) abort();
+    return p;
+}
+
+/* ---- Topology ---- */
+
+/* The two ends of a side, sorted, as one number; -1 where they are the same point. */
+static int ends_of(const n3_mesh *m, int s)
+{
+    int a = m->triangle[s], b = m->triangle[s % 3 == 2 ? s - 2 : s + 1];
+    if (a == b) return -1;
+    return a < b ? a * m->points + b : b * m->points + a;
+}
+
+/* The first side with the same ends. */
+static int first_like(const n3_mesh *m, int s)
+{
+    int i = 0;
+    while (ends_of(m, i) != ends_of(m, s)) i++;
+    return i;
+}
+
+static void check_topology(const n3_mesh *m, const n3_topology *t, long row)
+{
+    int s, edges = 0, i = 0;
+    for (s = 0; s < 3 * m->triangles; s++) {
+        int like = first_like(m, s), end[2];
+        CHECK((t->edge[s] < 0) == (ends_of(m, s) < 0), row);
+        if (t->edge[s] < 0) continue;
+        CHECK(t->edge[s] == (like == s ? edges : t->edge[like]), row);
+        edges += like == s;
+        n3_mesh_edge_ends(m, t, t->edge[s], end);
+        CHECK(end[0] * m->points + end[1] == ends_of(m, s), row);
+    }
+    CHECK(t->edges == edges && t->first[0] == 0, row);
+    for (edges = 0; edges < t->edges; edges++)
+        for (; i < t->first[edges + 1]; i++) {
+            CHECK(t->edge[t->side[i]] == edges, row);
+            CHECK(i == t->first[edges] || t->side[i] > t->side[i - 1], row);
+        }
+    for (s = 0; s < 3 * m->triangles; s++) i -= t->edge[s] >= 0;
+    CHECK(i == 0, row);
+}
+
+static void topology_of_soup(void)
+{
+    rng r = {1};
+    long i, count = sample_count(200);
+    for (i = 0; i < count; i++) {
+        shape s = shape_soup(3 + (int)(rng_next(&r) % 20), 1 + (int)(rng_next(&r) % 40), &r);
+        n3_mesh m = shape_mesh(&s);
+        size_t size = n3_mesh_workspace(&m);
+        void *work = memory(size, 1);
+        int used[64] = {0}, f, unused = m.points, collapsed = 0;
+        n3_topology t;
+        CHECK(n3_mesh_topology(&m, work, size, &t, NULL) == N3_OK, i);
+        check_topology(&m, &t, i);
+        for (f = 0; f < 3 * m.triangles; f++) unused -= !used[m.triangle[f]]++;
+        for (f = 0; f < m.triangles; f++)
+            collapsed += ends_of(&m, 3 * f) < 0 || ends_of(&m, 3 * f + 1) < 0 ||
+                         ends_of(&m, 3 * f + 2) < 0;
+        CHECK(t.unused == unused && t.collapsed == collapsed, i);
+        CHECK(t.points == m.points && t.triangles == m.triangles, i);
+        free(work);
+        shape_free(&s);
+    }
+}
+
+/* ---- Bad input ---- */
+
+enum part { POINT, NORMAL, TRIANGLE, CORNER, POINTS, TRIANGLES, NORMALS, NO_POINTS, NO_TRIANGLES };
+
+/* Faults put into an icosphere of 12 points, 20 triangles and 12 normals. */
+static const struct {
+    enum part part;
+    int at;
+    double value;
+    n3_status status;
+    int item;
+} faults[] = {
+    {POINT, 7, (double)NAN, N3_BAD_POINT, 7},
+    {POINT, 0, (double)INFINITY, N3_BAD_POINT, 0},
+    {POINT, 11, -(double)INFINITY, N3_BAD_POINT, 11},
+    {NORMAL, 3, (double)NAN, N3_BAD_NORMAL, 3},
+    {NORMAL, 0, (double)INFINITY, N3_BAD_NORMAL, 0},
+    {TRIANGLE, 0, -1, N3_BAD_TRIANGLE, 0},
+    {TRIANGLE, 17, 12, N3_BAD_TRIANGLE, 5},
+    {TRIANGLE, 59, 2147483647.0, N3_BAD_TRIANGLE, 19},
+    {TRIANGLE, 58, -2147483648.0, N3_BAD_TRIANGLE, 19},
+    {CORNER, 4, 12, N3_BAD_CORNER, 1},
+    {CORNER, 4, -2147483648.0, N3_OK, -7},
+    {POINTS, 0, -1, N3_BAD_COUNT, -1},
+    {TRIANGLES, 0, -1, N3_BAD_COUNT, -1},
+    {TRIANGLES, 0, 715827883.0, N3_BAD_COUNT, -1},
+    {NORMALS, 0, -1, N3_BAD_COUNT, -1},
+    {NORMALS, 1, 13, N3_BAD_COUNT, -1},
+    {NO_POINTS, 0, 0, N3_NULL_POINTER, -1},
+    {NO_TRIANGLES, 0, 0, N3_NULL_POINTER, -1},
+};
+
+static void put_fault(size_t row, shape *s, n3_mesh *m)
+{
+    int at = faults[row].at;
+    double value = faults[row].value;
+    switch (faults[row].part) {
+    case POINT: s->point[at].y = (n3_real)value; break;
+    case NORMAL: s->normal[at].z = (n3_real)value; break;
+    case TRIANGLE: s->triangle[at] = (int)value; break;
+    case CORNER: s->corner[at] = (int)value; break;
+    case POINTS: m->points = (int)value; break;
+    case TRIANGLES: m->triangles = (int)value; break;
+    case NORMALS: m->normals = (int)value; break;
+    case NO_POINTS: m->point = NULL; break;
+    case NO_TRIANGLES: m->triangle = NULL; break;
+    }
+    if (faults[row].part == NORMALS && at) m->corner = NULL; /* then one for each point */
+}
+
+/* Every call names the fault and leaves its outputs as they were. */
+static void status_of_faults(void)
+{
+    size_t i;
+    for (i = 0; i < sizeof faults / sizeof *faults; i++) {
+        shape s = shape_icosphere(0);
+        built b = build(&s, N3_RULE_PAPER, -1);
+        n3_mesh m = shape_mesh(&s);
+        n3_status want = faults[i].status;
+        n3_vec mark = n3_v(1, 2, 3);
+        int item[2] = {-7, -7}, normals = 99;
+        put_fault(i, &s, &m);
+        b.net[0] = b.normal[0] = mark;
+        b.corner[0] = b.corner[1] = 77;
+        CHECK(n3_mesh_net(&m, &b.t, NULL, want ? b.net : b.net + 0, NULL, &item[0]) == want, i);
+        CHECK(n3_mesh_normals(&m, &b.t, 0, NULL, b.normal, b.corner, &normals, &item[1]) == want, i);
+        CHECK(item[0] == faults[i].item && item[1] == faults[i].item, i);
+        if (want == N3_OK) CHECK(normals == 12 + 1, i);
+        else CHECK(n3_mesh_refine(&m, &b.t, b.net, 1, b.normal, b.corner, NULL, NULL, NULL, NULL) ==
+                   want, i);
+        if (want != N3_OK) CHECK(same_vec(b.net[0], mark) && same_vec(b.normal[0], mark), i);
+        if (want != N3_OK) CHECK(b.corner[0] == 77 && normals == 99, i);
+        built_free(&b);
+        shape_free(&s);
+    }
+}
+
+/* The topology looks at points and triangles alone. */
+static void status_of_topology(void)
+{
+    size_t i;
+    for (i = 0; i < sizeof faults / sizeof *faults; i++) {
+        shape s = shape_icosphere(0);
+        n3_mesh m = shape_mesh(&s);
+        size_t size = n3_mesh_workspace(&m), k;
+        unsigned char *work = memory(size, 1);
+        int item = -7, normals = faults[i].part == NORMAL || faults[i].part == CORNER ||
+                                 faults[i].part == NORMALS;
+        n3_topology t;
+        memset(&t, 0x5a, sizeof t);
+        put_fault(i, &s, &m);
+        CHECK(n3_mesh_topology(&m, work, size, &t, &item) == (normals ? N3_OK : faults[i].status), i);
+        CHECK(item == (normals ? -7 : faults[i].item), i);
+        for (k = 0; k < size && !normals; k++) CHECK(work[k] == 0, i);
+        CHECK(normals || t.edges == 0x5a5a5a5a, i);
+        free(work);
+        shape_free(&s);
+    }
+}
+
+static void status_of_pointers(void)
+{
+    shape s = shape_icosphere(0);
+    built b = build(&s, N3_RULE_PAPER, -1);
+    size_t size = n3_mesh_workspace(&b.m);
+    n3_topology t = b.t;
+    int item = 5, normals;
+    CHECK(n3_mesh_topology(&b.m, b.work, size - 1, &t, &item) == N3_BAD_WORKSPACE && item == -1, 0);
+    CHECK(n3_mesh_topology(&b.m, NULL, size, &t, NULL) == N3_NULL_POINTER, 0);
+    CHECK(n3_mesh_topology(&b.m, b.work, size, NULL, NULL) == N3_NULL_POINTER, 0);
+    CHECK(n3_mesh_topology(NULL, b.work, size, &t, NULL) == N3_NULL_POINTER, 0);
+    CHECK(n3_mesh_net(&b.m, NULL, NULL, b.net, NULL, NULL) == N3_NULL_POINTER, 0);
+    CHECK(n3_mesh_net(&b.m, &b.t, NULL, NULL, b.flags, NULL) == N3_NULL_POINTER, 0);
+    CHECK(n3_mesh_normals(&b.m, &b.t, 0, NULL, NULL, b.corner, &normals, NULL) == N3_NULL_POINTER, 0);
+    CHECK(n3_mesh_normals(&b.m, &b.t, 0, NULL, b.normal, NULL, &normals, NULL) == N3_NULL_POINTER, 0);
+    CHECK(n3_mesh_refine(&b.m, &b.t, NULL, 2, b.net, NULL, NULL, NULL, NULL, NULL) ==
+          N3_NULL_POINTER, 0);
+    t.triangles--;
+    CHECK(n3_mesh_net(&b.m, &t, NULL, b.net, NULL, NULL) == N3_BAD_COUNT, 0);
+    CHECK(n3_mesh_workspace(NULL) == 0, 0);
+    built_free(&b);
+    shape_free(&s);
+}
+
+static void status_texts(void)
+{
+    int i, k;
+    for (i = N3_OK; i <= N3_BAD_WORKSPACE; i++)
+        for (k = N3_OK; k < i; k++)
+            CHECK(strcmp(n3_status_text((n3_status)i), n3_status_text((n3_status)k)) != 0, i);
+}
+
+/* Sizes beyond int are refused before anything is computed from them. */
+static void counts_overflow(void)
+{
+    static const struct { int points, triangles, edges, level; n3_status status; } rows[] = {
+        {8, 12, 18, 1, N3_OK},
+        {8, 12, 18, 0, N3_BAD_COUNT},
+        {8, 12, 18, -3, N3_BAD_COUNT},
+        {8, 12, 18, 7723, N3_OK},          /* 3 * 12 * 7723^2 = 2147202444 */
+        {8, 12, 18, 7724, N3_BAD_COUNT},   /* 2147758536 */
+        {8, 12, 18, 46341, N3_BAD_COUNT},
+        {8, 12, 18, 2147483647, N3_BAD_COUNT},
+        {2147483647, 12, 18, 2, N3_BAD_COUNT},
+        {2147483629, 12, 18, 2, N3_OK},
+        {0, 0, 0, 46341, N3_BAD_COUNT},
+        {0, 0, 0, 40000, N3_OK},
+    };
+    n3_mesh m;
+    n3_topology t;
+    size_t i;
+    memset(&m, 0, sizeof m);
+    memset(&t, 0, sizeof t);
+    for (i = 0; i < sizeof rows / sizeof *rows; i++) {
+        int points = -1, triangles = -1, normals = -1, level = rows[i].level, ok;
+        t.points = rows[i].points;
+        t.triangles = rows[i].triangles;
+        t.edges = rows[i].edges;
+        ok = n3_mesh_refine_counts(&m, &t, level, &points, &triangles, &normals) == N3_OK;
+        CHECK(ok == (rows[i].status == N3_OK), i);
+        CHECK((triangles < 0) == !ok && (points < 0) == !ok && (normals < 0) == !ok, i);
+    }
+    m.points = 2147483646;
+    CHECK(n3_mesh_workspace(&m) > 2147483646u || n3_mesh_workspace(&m) == 0, 0);
+    m.points = 2147483647;
+    CHECK(n3_mesh_workspace(&m) == 0, 0);
+    m.points = t.points = 10;
+    m.triangles = t.triangles = 715827883;
+    CHECK(n3_mesh_workspace(&m) == 0, 0);
+    t.edges = 1073741824;
+    CHECK(n3_mesh_nodes(&m, &t) == 0, 0);
+}
+
+static void empty_mesh(void)
+{
+    n3_mesh m;
+    n3_topology t;
+    n3_report r;
+    int work[8], points = -1, triangles = -1, normals = -1;
+    memset(&m, 0, sizeof m);
+    CHECK(n3_mesh_workspace(&m) > 0 && n3_mesh_workspace(&m) <= sizeof work, 0);
+    CHECK(n3_mesh_topology(&m, work, sizeof work, &t, NULL) == N3_OK && t.edges == 0, 0);
+    CHECK(n3_mesh_normals(&m, &t, 0, NULL, NULL, NULL, &normals, NULL) == N3_OK, 0);
+    CHECK(normals == 0 && n3_mesh_nodes(&m, &t) == 0, 0);
+    CHECK(n3_mesh_net(&m, &t, NULL, NULL, NULL, NULL) == N3_OK, 0);
+    CHECK(n3_mesh_refine_counts(&m, &t, 3, &points, &triangles, &normals) == N3_OK, 0);
+    CHECK(points == 0 && triangles == 0 && normals == 0, 0);
+    CHECK(n3_mesh_refine(&m, &t, NULL, 3, NULL, NULL, NULL, NULL, NULL, NULL) == N3_OK, 0);
+    r = n3_mesh_report(&m, &t, NULL, NULL);
+    CHECK(r.points == 0 && r.edges == 0 && r.border_edges == 0 && r.crease_edges == -1, 0);
+    r = n3_mesh_report(NULL, NULL, NULL, NULL);
+    CHECK(r.points == 0 && r.triangles == 0 && r.edges == -1, 0);
+}
+
+/* count elements of a size, spread out so that none but the first is aligned. */
+enum { STEP = 29 };
+
+static void *spread(const void *from, int count, size_t size)
+{
+    char *to = memory((size_t)count, STEP);
+    int i;
+    for (i = 0; i < count; i++)
+        memcpy(to + (size_t)i * STEP, (const char *)from + (size_t)i * size, size);
+    return to;
+}
+
+static void strides(void)
+{
+    shape s = shape_bracket(3);
+    n3_mesh m = shape_mesh(&s);
+    void *point = spread(s.point, s.points, sizeof *s.point);
+    void *normal = spread(s.normal, s.normals, sizeof *s.normal);
+    void *triangle = spread(s.triangle, s.triangles, 3 * sizeof(int));
+    void *corner = spread(s.corner, s.triangles, 3 * sizeof(int));
+    built a = build(&s, N3_RULE_FIT, -1), b;
+    int k;
+    m.point = point;
+    m.normal = normal;
+    m.triangle = triangle;
+    m.corner = corner;
+    m.point_stride = m.normal_stride = m.triangle_stride = m.corner_stride = STEP;
+    b = build_mesh(&m, N3_RULE_FIT, -1);
+    for (k = 0; k < b.nodes; k++) CHECK_SAME(a.net[k], b.net[k], k);
+    free(point);
+    free(normal);
+    free(triangle);
+    free(corner);
+    built_free(&a);
+    built_free(&b);
+    shape_free(&s);
+}
+
+/* ---- Normals ---- */
+
+/* Max's sum is the exact normal of a sphere through the points. Each unit edge carries an error of
+   a point's ulp, eps/2 in each of 3 coordinates of 2 points, over its length l, and each of the
+   2 edges of a term 6 eps of its own arithmetic; the terms' sum cancels by less than 4 on these
+   fans, whose triangles all face outwards. So the error is below 4 (2 sqrt 3 / l + 12) eps. */
+static void normals_on_sphere(void)
+{
+    rng r = {2};
+    int level, i;
+    for (level = 0; level < 4; level++) {
+        shape s = shape_icosphere(level);
+        n3_real shake = (n3_real)0.2 / (n3_real)(1 << level);
+        double shortest = 0.4 / (1 << level);
+        built b;
+        for (i = 0; i < s.points; i++)
+            s.point[i] = n3_unit(n3_add(s.point[i], n3_mul(shake, rng_vec(&r))));
+        shape_drop_normals(&s);
+        b = build(&s, N3_RULE_PAPER, -1);
+        CHECK(b.m.normals == s.points, level);
+        for (i = 0; i < b.t.edges; i++) {
+            n3_edge e = built_edge(&b, i);
+            shortest = fmin(shortest, (double)n3_len(n3_sub(e.p[3], e.p[0])));
+        }
+        for (i = 0; i < 3 * s.triangles; i++)
+            CHECK_VEC(b.normal[b.corner[i]], s.point[s.triangle[i]],
+                      4 * (2 * sqrt(3.0) / shortest + 12) * EPS, level);
+        built_free(&b);
+        shape_free(&s);
+    }
+}
+
+/* A cube is inscribed too. Cutting it by angle gives each face its normal; one marked edge ends in
+   two fans that stay whole; marks round a face cut it off. */
+static void normals_of_cube(void)
+{
+    static const struct { double cosine; int marked, normals; } rows[] = {
+        {-1, 0, 8}, {0.5, 0, 24}, {-1, 1, 8}, {-1, 4, 12}, {-0.1, 0, 8}, {0.1, 0, 24}};
+    size_t i;
+    int c;
+    for (i = 0; i < sizeof rows / sizeof *rows; i++) {
+        shape s = shape_cube();
+        built b = build(&s, N3_RULE_PAPER, -1);
+        unsigned char mark[36] = {0};
+        int normals = 0;
+        n3_mesh m = shape_mesh(&s);
+        /* Triangles 2 and 3 are the lid z = 1: its outer sides are 6, 7, 10 and 11. */
+        if (rows[i].marked > 0) mark[6] = 1;
+        if (rows[i].marked > 1) mark[7] = mark[10] = mark[11] = 1;
+        CHECK(n3_mesh_normals(&m, &b.t, (n3_real)rows[i].cosine, mark, b.normal, b.corner, &normals,
+                              NULL) == N3_OK, i);
+        CHECK(normals == rows[i].normals, i);
+        for (c = 0; c < 36; c++) {
+            n3_vec n = b.normal[b.corner[c]], x = s.point[s.triangle[c]];
+            n3_vec out = n3_unit(n3_sub(x, n3_v((n3_real)0.5, (n3_real)0.5, (n3_real)0.5)));
+            if (normals == 8) CHECK_VEC(n, out, 4 * EPS, c);
+            if (normals == 24) CHECK_NEAR(n3_dot(n, out), 1 / sqrt(3.0), 4 * EPS, c);
+            if (normals == 24) CHECK_NEAR(fabs((double)(n.x + n.y + n.z)), 1, 0, c);
+        }
+        built_free(&b);
+        shape_free(&s);
+    }
+}
+
+/* How many fans a shape has: two at the apex of the hourglass, two where the strip's end meets its
+   beginning upside down, one for each corner of sheets that share an edge. */
+static void normals_counted(void)
+{
+    static const struct { shape (*make)(int); int n, normals; } rows[] = {
+        {shape_hourglass, 7, 2 * 7 + 4}, {shape_moebius, 9, 3 * 9 + 3}, {shape_sheets, 4, 12},
+        {shape_sheets, 2, 6},            {shape_sheets, 1, 3}};
+    size_t i;
+    int c;
+    for (i = 0; i < sizeof rows / sizeof *rows; i++) {
+        shape s = rows[i].make(rows[i].n);
+        built b = build(&s, N3_RULE_PAPER, -1);
+        CHECK(b.m.normals == rows[i].normals, i);
+        for (c = 0; c < 3 * s.triangles; c++)
+            CHECK_NEAR(n3_len(b.normal[b.corner[c]]), 1, 4 * EPS, i);
+        built_free(&b);
+        shape_free(&s);
+    }
+}
+
+/* Max's term as it is printed. */
+static n3_vec naive_term(const shape *s, int c)
+{
+    int f = c - c % 3;
+    n3_vec x = s->point[s->triangle[c]];
+    n3_vec e0 = n3_sub(s->point[s->triangle[f + (c + 1) % 3]], x);
+    n3_vec e1 = n3_sub(s->point[s->triangle[f + (c + 2) % 3]], x);
+    return n3_mul(1 / (n3_dot(e0, e0) * n3_dot(e1, e1)), n3_cross(e0, e1));
+}
+
+/* The upper part of a sphere: at its border the sum is over the triangles that there are. Both
+   sides round each of 6 terms of like length by 12 eps at most, in sums that cancel less than
+   twice. */
+static void normals_at_border(void)
+{
+    shape s = shape_icosphere(2);
+    n3_vec *sum = memory((size_t)s.points, sizeof *sum);
+    int kept = 0, f, k, c;
+    built b;
+    shape_drop_normals(&s);
+    for (f = 0; f < s.triangles; f++) {
+        n3_real z = 1;
+        for (k = 0; k < 3; k++) {
+            n3_vec x = s.point[s.triangle[3 * f + k]];
+            if (x.z < z) z = x.z;
+        }
+        for (k = 0; k < 3 && z > 0; k++) s.triangle[3 * kept + k] = s.triangle[3 * f + k];
+        kept += z > 0;
+    }
+    s.triangles = kept;
+    for (c = 0; c < 3 * kept; c++)
+        sum[s.triangle[c]] = n3_add(sum[s.triangle[c]], naive_term(&s, c));
+    b = build(&s, N3_RULE_PAPER, -1);
+    CHECK(b.m.normals == s.points - b.t.unused, 0);
+    for (c = 0; c < 3 * kept; c++)
+        CHECK_VEC(b.normal[b.corner[c]], n3_unit(sum[s.triangle[c]]), 48 * EPS, c);
+    free(sum);
+    built_free(&b);
+    shape_free(&s);
+}
+
+/* Given normals keep their index and are made unit; unit ones keep their bits. The cone's apex has
+   none: its triangles share it, because at their other ends they agree. */
+static void normals_given(void)
+{
+    shape s = shape_cone(12);
+    built b = build(&s, N3_RULE_PAPER, -1), c;
+    int i;
+    CHECK(b.m.normals == s.normals + 1, 0);
+    for (i = 0; i < 3 * s.triangles; i++) {
+        int apex = s.triangle[i] == 12, given = s.corner[i];
+        CHECK(b.corner[i] == (apex ? s.normals : given), i);
+        if (!apex) CHECK_SAME(b.normal[b.corner[i]], s.normal[given], i);
+        if (apex) CHECK_VEC(b.normal[b.corner[i]], n3_v(0, 0, 1), 16 * EPS, i);
+    }
+    for (i = 0; i < s.normals; i++)
+        s.normal[i] = n3_mul((n3_real)(i % 2 ? 1e-9 : 7e8) * (n3_real)(i + 1), s.normal[i]);
+    c = build(&s, N3_RULE_PAPER, -1);
+    for (i = 0; i < s.normals; i++) CHECK_VEC(c.normal[i], b.normal[i], 4 * EPS, i);
+    built_free(&c);
+    built_free(&b);
+    shape_free(&s);
+}
+
+/* Two triangles back to back cancel: the one that comes first in order decides, not the first in
+   the mesh. */
+static void normals_that_cancel(void)
+{
+    int turn, c;
+    for (turn = 0; turn < 2; turn++) {
+        shape s = shape_pillow();
+        built b;
+        if (turn) memcpy(s.triangle, s.triangle + 3, 3 * sizeof(int));
+        if (turn) s.triangle[4] = 1;
+        if (turn) s.triangle[5] = 2;
+        b = build(&s, N3_RULE_PAPER, -1);
+        CHECK(b.m.normals == 3, turn);
+        for (c = 0; c < 6; c++) CHECK_SAME(b.normal[b.corner[c]], n3_v(0, 0, -1), turn);
+        built_free(&b);
+        shape_free(&s);
+    }
+}
+
+/* A triangle b, a, m without area in the seam a, b of a flat quadrilateral, and of a folded one: it
+   goes with the triangle a, b, c beyond its longest side. Fans on a: one, or two; on m: one, or that
+   of the two below and, without a normal, that of the flat triangle. */
+static void normals_beside_flat_triangle(void)
+{
+    static const int triangle[12] = {0, 1, 2, 1, 0, 3, 3, 0, 4, 1, 3, 4};
+    n3_vec point[5], normal[12];
+    int fold, i, work[64], corner[12], normals, zero;
+    n3_mesh m;
+    n3_topology t;
+    memset(&m, 0, sizeof m);
+    point[0] = n3_v(0, 0, 0);
+    point[1] = n3_v(2, 0, 0);
+    point[2] = n3_v(1, 1, 0);
+    point[3] = n3_v(1, 0, 0);
+    m.points = 5;
+    m.point = &point[0].x;
+    m.triangles = 4;
+    m.triangle = triangle;
+    for (fold = 0; fold < 2; fold++) {
+        n3_vec below = fold ? n3_v(0, -1, 0) : n3_v(0, 0, 1);
+        point[4] = fold ? n3_v(1, 0, -1) : n3_v(1, -1, 0);
+        CHECK(n3_mesh_topology(&m, work, sizeof work, &t, NULL) == N3_OK, fold);
+        CHECK(n3_mesh_normals(&m, &t, (n3_real)1 / 2, NULL, normal, corner, &normals, NULL) == N3_OK,
+              fold);
+        CHECK(normals == (fold ? 8 : 5), fold);
+        for (i = zero = 0; i < normals; i++) zero += same_vec(normal[i], n3_v(0, 0, 0));
+        CHECK(zero == fold, fold);
+        for (i = 0; i < 5; i++)
+            if (triangle[i] != 3) CHECK_VEC(normal[corner[i]], n3_v(0, 0, 1), 2 * EPS, i);
+        for (i = 6; i < 12; i++) CHECK_VEC(normal[corner[i]], below, 2 * EPS, i);
+    }
+}
+
+/* Scaling by a power of two changes no bit, up to the largest and down to the smallest sizes. */
+static void normals_scaled(void)
+{
+    int i, k;
+    for (k = -1; k <= 1; k++) {
+        shape s = shape_icosphere(1), big;
+        built a, b;
+        shape_drop_normals(&s);
+        s.point[3] = n3_mul((n3_real)5 / 4, s.point[3]);
+        big = shape_copy(&s);
+        for (i = 0; i < s.points; i++)
+            big.point[i] = n3_mul((n3_real)ldexp(1, k * (EPS < 1e-10 ? 498 : 59)), s.point[i]);
+        a = build(&s, N3_RULE_PAPER, 0.7);
+        b = build(&big, N3_RULE_PAPER, 0.7);
+        CHECK(a.m.normals == b.m.normals, k);
+        for (i = 0; i < a.m.normals; i++) CHECK_SAME(a.normal[i], b.normal[i], k);
+        built_free(&a);
+        built_free(&b);
+        shape_free(&s);
+        shape_free(&big);
+    }
+}
+
+/* ---- Fields ---- */
+
+/* A polynomial of a degree with other coefficients for each component. */
+static double polynomial(int degree, int component, double x, double y)
+{
+    double p = 1 + component + 2 * x - 3 * y;
+    if (degree > 1) p += x * x - (2 + component) * x * y + 3 * y * y;
+    if (degree > 2) p += x * x * x - 4 * x * x * y + (1 - component) * x * y * y + 5 * y * y * y;
+    return p;
+}
+
+/* The places of the nodes of a flat mesh. */
+static int field_places(const built *b, int degree, n3_vec *place)
+{
+    int i, k, count = b->m.points;
+    for (i = 0; i < b->m.points; i++) place[i] = b->net[i];
+    for (i = 0; i < b->t.edges && degree > 1; i++) {
+        n3_edge e = built_edge(b, i);
+        for (k = 1; k < degree; k++)
+            place[count++] = n3_add(e.p[0], n3_mul((n3_real)k / (n3_real)degree,
+                                                   n3_sub(e.p[3], e.p[0])));
+    }
+    for (i = 0; i < b->m.triangles && degree > 2; i++) {
+        n3_patch p = built_patch(b, i);
+        place[count++] = n3_mul((n3_real)1 / 3, n3_add(n3_add(p.p[0], p.p[1]), p.p[2]));
+    }
+    return count;
+}
+
+/* A soup in the plane, with unused points, in three parts for each edge. */
+static void check_field(int degree, rng *r)
+{
+    enum { LEVEL = 4 };
+    shape s = shape_soup(9, 8, r);
+    built b;
+    int i, k, nodes, points, *parent;
+    n3_vec place[200];
+    n3_real nodal[400], *uv, *out;
+    for (i = 0; i < s.points; i++) s.point[i].z = 0;
+    b = build(&s, N3_RULE_PAPER, -1);
+    nodes = field_places(&b, degree, place);
+    for (i = 0; i < nodes; i++)
+        for (k = 0; k < 2; k++)
+            nodal[2 * i + k] =
+                (n3_real)polynomial(degree, k, (double)place[i].x, (double)place[i].y);
+    CHECK(n3_mesh_refine_counts(&b.m, &b.t, LEVEL, &points, NULL, NULL) == N3_OK, degree);
+    parent = memory((size_t)points, sizeof *parent);
+    uv = memory(2 * (size_t)points, sizeof *uv);
+    out = memory(2 * (size_t)points, sizeof *out);
+    CHECK(n3_mesh_refine(&b.m, &b.t, b.net, LEVEL, NULL, NULL, NULL, NULL, parent, uv) == N3_OK,
+          degree);
+    CHECK(n3_mesh_field(&b.m, &b.t, degree, 2, nodal, parent, uv, points, out) == N3_OK, degree);
+    for (i = 0; i < points; i++) {
+        n3_vec x = b.net[i < s.points ? i : 0];
+        if (parent[i] >= 0) {
+            n3_patch p = built_patch(&b, parent[i]);
+            n3_real u = uv[2 * i], v = uv[2 * i + 1];
+            x = n3_add(n3_add(n3_mul(1 - u - v, p.p[0]), n3_mul(u, p.p[1])), n3_mul(v, p.p[2]));
+        }
+        /* Values are below 25; the weights' magnitudes add up to less than 2.3, and values and
+           weights are good to 16 eps. */
+        for (k = 0; k < 2; k++)
+            CHECK_NEAR(out[2 * i + k], polynomial(degree, k, (double)x.x, (double)x.y),
+                       25 * 2.3 * 16 * EPS, degree);
+    }
+    free(parent);
+    free(uv);
+    free(out);
+    built_free(&b);
+    shape_free(&s);
+}
+
+static void fields_of_polynomials(void)
+{
+    rng r = {3};
+    long i, count = sample_count(60);
+    for (i = 0; i < count; i++) check_field(1 + (int)(i % 3), &r);
+}
+
+static void fields_refused(void)
+{
+    shape s = shape_cube();
+    built b = build(&s, N3_RULE_PAPER, -1);
+    n3_real nodal[8] = {0}, uv[2] = {0}, out[1];
+    static const struct { int degree, parent, at, status; } rows[] = {
+        {1, 11, 0, N3_OK},         {0, 11, 0, N3_BAD_COUNT},  {4, 11, 0, N3_BAD_COUNT},
+        {1, 12, 0, N3_BAD_COUNT},  {1, -1, 0, N3_OK},         {1, -1, 1, N3_NULL_POINTER}};
+    size_t i;
+    for (i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const n3_real *from = rows[i].at ? NULL : nodal;
+        CHECK((int)n3_mesh_field(&b.m, &b.t, rows[i].degree, 1, from, &rows[i].parent, uv, 1, out) ==
+              rows[i].status, i);
+    }
+    built_free(&b);
+    shape_free(&s);
+}
+
+/* ---- The report ---- */
+
+static shape polar(int n) { return shape_polar(2 * n, n); }
+
+/* A triangle turned over, its corners keeping their normals. */
+static shape flipped_sphere(int n)
+{
+    shape s = shape_icosphere(n);
+    int k = s.triangle[1];
+    s.triangle[1] = s.corner[1] = s.triangle[2];
+    s.triangle[2] = s.corner[2] = k;
+    return s;
+}
+
+/* The second triangle, which shares a side with the first, gives way to a copy of it. */
+static shape doubled_sphere(int n)
+{
+    shape s = shape_icosphere(n);
+    memcpy(s.triangle + 3, s.triangle, 3 * sizeof(int));
+    memcpy(s.corner + 3, s.corner, 3 * sizeof(int));
+    return s;
+}
+
+/* back: -1 where inferred normals may well look back, at rims. */
+static void report_counts(void)
+{
+    static const struct {
+        shape (*make)(int);
+        int n, edges, border, non_manifold, flipped, crease, half, collapsed, duplicate, back;
+    } rows[] = {
+        {shape_bracket, 3, 288, 0, 0, 0, 64, 0, 0, 0, 0},
+        {shape_icosphere, 1, 120, 0, 0, 0, 0, 0, 0, 0, 0},
+        {shape_cone, 8, 24, 0, 0, 0, 8, 0, 0, 0, 0},
+        {shape_moebius, 9, 63, 18, 0, 2, 1, 1, 0, 0, 0},
+        {shape_hourglass, 6, 36, 0, 0, 0, 0, 0, 0, 0, -1},
+        {shape_sheets, 3, 7, 6, 1, 0, 1, 0, 0, 0, 0},
+        {polar, 4, 72, 0, 0, 0, 0, 0, 16, 0, 0},
+        {flipped_sphere, 0, 30, 0, 0, 3, 0, 0, 0, 0, 3},
+        {doubled_sphere, 0, 30, 2, 2, 1, 0, 0, 0, 1, 0}};
+    size_t i;
+    for (i = 0; i < sizeof rows / sizeof *rows; i++) {
+        shape s = rows[i].make(rows[i].n);
+        built b = build(&s, N3_RULE_PAPER, -1);
+        n3_report r = n3_mesh_report(&b.m, &b.t, b.net, b.flags);
+        CHECK_NEAR(r.edges, rows[i].edges, 0, i);
+        CHECK_NEAR(r.border_edges, rows[i].border, 0, i);
+        CHECK_NEAR(r.non_manifold_edges, rows[i].non_manifold, 0, i);
+        CHECK_NEAR(r.flipped_edges, rows[i].flipped, 0, i);
+        CHECK_NEAR(r.crease_edges, rows[i].crease, 0, i);
+        CHECK_NEAR(r.half_crease_edges, rows[i].half, 0, i);
+        CHECK_NEAR(r.collapsed_triangles, rows[i].collapsed, 0, i);
+        CHECK_NEAR(r.duplicate_triangles, rows[i].duplicate, 0, i);
+        if (rows[i].back >= 0) CHECK_NEAR(r.flipped_normals, rows[i].back, 0, i);
+        CHECK(r.points == s.points && r.triangles == s.triangles && r.normals == b.m.normals, i);
+        CHECK(r.bad_points + r.bad_normals + r.bad_triangles + r.bad_corners == 0, i);
+        CHECK(r.degenerate_edges + r.flat_triangles + r.zero_normals == 0, i);
+        CHECK(r.unused_points == b.t.unused, i);
+        built_free(&b);
+        shape_free(&s);
+    }
+}
+
+/* A mesh with one of each fault, and what is left unknown without its topology. */
+static void report_of_faults(void)
+{
+    shape s = shape_icosphere(1);
+    n3_mesh m;
+    n3_report r;
+    s.point[0].x = (n3_real)NAN;
+    s.point[5].z = (n3_real)INFINITY;
+    s.normal[7] = n3_v(0, 0, 0);
+    s.normal[9].x = (n3_real)NAN;
+    s.triangle[0] = -1;
+    s.triangle[4] = 42;
+    s.triangle[5] = 2147483647;
+    s.corner[6] = 42;
+    s.corner[9] = -5;
+    s.triangle[12] = s.triangle[13];
+    m = shape_mesh(&s);
+    r = n3_mesh_report(&m, NULL, NULL, NULL);
+    CHECK(r.bad_points == 2 && r.bad_normals == 1 && r.bad_triangles == 2 && r.bad_corners == 1, 0);
+    CHECK(r.collapsed_triangles == 1 && r.zero_normals >= 3, 0);
+    CHECK(r.edges == -1 && r.border_edges == -1 && r.unused_points == -1, 0);
+    CHECK(r.crease_edges == -1 && r.folding_patches == -1 && r.jump_edge == -1, 0);
+    shape_free(&s);
+}
+
+/* Counts and indices of any value: it returns. */
+static void report_of_garbage(void)
+{
+    rng r = {4};
+    long i, count = sample_count(300);
+    int k;
+    for (i = 0; i < count; i++) {
+        n3_vec point[6], normal[6];
+        int triangle[24], corner[24];
+        n3_mesh m;
+        n3_report report;
+        memset(&m, 0, sizeof m);
+        for (k = 0; k < 6; k++) point[k] = n3_mul((n3_real)pow(10, rng_uniform(&r, -40, 40)),
+                                                  rng_vec(&r));
+        for (k = 0; k < 6; k++) normal[k] = k % 3 ? rng_vec(&r) : n3_v(0, (n3_real)NAN, 0);
+        for (k = 0; k < 24; k++) triangle[k] = (int)(rng_next(&r) % 9) - 1;
+        for (k = 0; k < 24; k++) corner[k] = (int)(rng_next(&r) % 9) - 1;
+        m.points = (int)(rng_next(&r) % 9) - 2;
+        m.triangles = (int)(rng_next(&r) % 11) - 2;
+        m.normals = (int)(rng_next(&r) % 9) - 2;
+        if (m.points > 6) m.points = 6;
+        if (m.normals > 6) m.normals = 6;
+        m.point = rng_next(&r) % 8 ? &point[0].x : NULL;
+        m.normal = rng_next(&r) % 8 ? &normal[0].x : NULL;
+        m.triangle = rng_next(&r) % 8 ? triangle : NULL;
+        m.corner = rng_next(&r) % 8 ? corner : NULL;
+        report = n3_mesh_report(&m, NULL, NULL, NULL);
+        CHECK(report.triangles <= 8 && report.triangles >= 0, i);
+    }
+}
+
+/* On the sphere by the arc rule, which follows it to 1e-3 (accuracy: 8.5e-4 for 20 triangles), the
+   distance to the farthest facet is 1 less that of its plane to the middle. */
+static void report_measures(void)
+{
+    shape s = shape_icosphere(0), flat = shape_cube();
+    built b = build(&s, N3_RULE_ARC, -1), c = build(&flat, N3_RULE_ARC, 0.5);
+    n3_report r = n3_mesh_report(&b.m, &b.t, b.net, b.flags);
+    n3_patch p = built_patch(&b, 0);
+    n3_vec plane = n3_unit(n3_cross(n3_sub(p.p[1], p.p[0]), n3_sub(p.p[2], p.p[0])));
+    double jump = 0;
+    int i;
+    CHECK_NEAR(r.distance, 1 - (double)n3_dot(plane, p.p[0]), 1e-3, 0);
+    CHECK(r.distance_triangle >= 0 && r.distance_triangle < 20, 0);
+    for (i = 0; i < b.t.edges; i++) {
+        int two[2], k, q;
+        for (k = 0; k < 2; k++) two[k] = b.t.side[b.t.first[i] + k];
+        for (q = 1; q < 4; q++) {
+            n3_vec n[2];
+            for (k = 0; k < 2; k++) {
+                n3_real L[3] = {0, 0, 0}, t = (n3_real)(k ? 4 - q : q) / 4;
+                L[two[k] % 3] = 1 - t;
+                L[(two[k] + 1) % 3] = t;
+                p = built_patch(&b, two[k] / 3);
+                n[k] = n3_patch_normal(&p, L[1], L[2]);
+            }
+            jump = fmax(jump, (double)n3_len(n3_sub(n[0], n[1])));
+        }
+    }
+    CHECK_NEAR(r.jump, jump, 16 * EPS, 0);
+    CHECK(jump > 1e-4 && r.jump_edge >= 0 && r.folding_patches == 0, 0);
+    r = n3_mesh_report(&c.m, &c.t, c.net, c.flags);
+    CHECK(r.distance <= 4 * (n3_real)EPS && r.jump <= 16 * (n3_real)EPS, 1);
+    CHECK(r.straight_edges == 18 && r.crease_edges == 12 && r.folding_patches == 0, 1);
+    built_free(&b);
+    built_free(&c);
+    shape_free(&s);
+    shape_free(&flat);
+}
+
+/* A flat patch with a control point pulled across the opposite side folds; and no patch that is
+   said not to fold has, on a lattice, a normal that turns away from the others. */
+static void folds(void)
+{
+    rng r = {5};
+    long i, count = sample_count(2000);
+    n3_patch p;
+    n3_vertex a, b, c;
+    a.n = b.n = c.n = n3_v(0, 0, 1);
+    a.x = n3_v(0, 0, 0);
+    b.x = n3_v(1, 0, 0);
+    c.x = n3_v(0, 1, 0);
+    p = n3_patch_make(a, b, c, NULL);
+    CHECK(!n3_patch_may_fold(&p), 0);
+    p.p[9] = n3_v(2, 2, 0);
+    CHECK(n3_patch_may_fold(&p), 1);
+    for (i = 0; i < count; i++) {
+        n3_patch q = n3_patch_make(a, b, c, NULL);
+        n3_vec first;
+        int k, u, v;
+        for (k = 0; k < 10; k++)
+            q.p[k] = n3_add(q.p[k], n3_mul((n3_real)(i % 5 + 1) / 25, rng_vec(&r)));
+        if (n3_patch_may_fold(&q)) continue;
+        first = n3_v(0, 0, 0);
+        for (u = 0; u <= 8; u++)
+            for (v = 0; u + v <= 8; v++) {
+                n3_jet j = n3_patch_jet(&q, (n3_real)u / 8, (n3_real)v / 8);
+                first = n3_add(first, n3_cross(j.du, j.dv));
+            }
+        for (u = 0; u <= 8; u++)
+            for (v = 0; u + v <= 8; v++)
+                CHECK(n3_dot(n3_patch_normal(&q, (n3_real)u / 8, (n3_real)v / 8), first) > 0, i);
+    }
+}
+
+const test_case tests_mesh[] = {
+    {"topology_of_soup", topology_of_soup},
+    {"status_of_faults", status_of_faults},
+    {"status_of_topology", status_of_topology},
+    {"status_of_pointers", status_of_pointers},
+    {"status_texts", status_texts},
+    {"counts_overflow", counts_overflow},
+    {"empty_mesh", empty_mesh},
+    {"strides", strides},
+    {"normals_on_sphere", normals_on_sphere},
+    {"normals_of_cube", normals_of_cube},
+    {"normals_counted", normals_counted},
+    {"normals_at_border", normals_at_border},
+    {"normals_given", normals_given},
+    {"normals_that_cancel", normals_that_cancel},
+    {"normals_beside_flat_triangle", normals_beside_flat_triangle},
+    {"normals_scaled", normals_scaled},
+    {"fields_of_polynomials", fields_of_polynomials},
+    {"fields_refused", fields_refused},
+    {"report_counts", report_counts},
+    {"report_of_faults", report_of_faults},
+    {"report_of_garbage", report_of_garbage},
+    {"report_measures", report_measures},
+    {"folds", folds},
+    {NULL, NULL}};
