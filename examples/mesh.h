@@ -61,7 +61,8 @@ void mesh_add_triangle(mesh *m, int a, int b, int c);
    have collapsed and the points in no triangle. */
 void mesh_join(mesh *m, n3_real relative);
 
-/* Numbers are written with as many digits as bring back the same bits. */
+/* Numbers are written with as many digits as bring back the same bits. The mesh has a normal at
+   every corner. */
 void write_number(FILE *f, n3_real x);
 void write_vec(FILE *f, n3_vec a);
 void mesh_write_obj(FILE *f, const mesh *m);

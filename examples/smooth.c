@@ -3,7 +3,6 @@
 
 #include <errno.h>
 #include <float.h>
-#include <limits.h>
 #include <stdarg.h>
 #include <stdlib.h>
 

@@ -50,9 +50,10 @@ static int done(const surface *s, const n3_report *r, row *rows)
         {"folding_patches", r->folding_patches, "patches may fold"},
         {"straight_edges", r->straight_edges, "edges stayed straight"},
         {"s_shaped_edges", r->s_shaped_edges, "edges became S-shaped"},
-        {"clamped_edges", r->clamped_edges, "edges meet an angle beyond the paper's limits"},
-        {"branch_60_edges", r->branch_60_edges, "edges meet an angle above 60 degrees"},
-        {"turned_edges", r->turned_edges, "edges had a tangent turned round along the chord"}};
+        {"clamped_edges", r->clamped_edges,
+         "edges have an end nearer than 5.7 degrees to flat or upright"},
+        {"branch_60_edges", r->branch_60_edges, "edges have an end steeper than 60 degrees"},
+        {"turned_edges", r->turned_edges, "edges had a tangent turned round, to run forwards"}};
     memcpy(rows, all, sizeof all);
     return s->rule->edge ? 3 : (int)(sizeof all / sizeof *all);
 }

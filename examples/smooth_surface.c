@@ -47,7 +47,8 @@ const smooth_rule *smooth_rule_find(const char *name)
 static void check(const char *path, n3_status status, int item)
 {
     if (status == N3_OK) return;
-    fail(path, 0, "%s (number %d)", n3_status_text(status), item + 1);
+    if (item >= 0) fail(path, 0, "%s (number %d)", n3_status_text(status), item + 1);
+    fail(path, 0, "%s", n3_status_text(status));
 }
 
 /* Sides between faces of different smoothing groups, or of none. */
@@ -74,7 +75,7 @@ static int count_inferred(const mesh *m)
 static void make_normals(const char *path, const mesh *m, n3_real cos_crease, surface *s)
 {
     unsigned char *mark = m->grouped ? group_marks(m, &s->topology) : NULL;
-    int normals = 0, item = 0;
+    int normals = 0, item = -1;
     n3_status status;
     s->normal = allocate((size_t)m->normals + 3 * (size_t)m->triangles, sizeof *s->normal);
     s->corner = allocate((size_t)m->triangles, 3 * sizeof *s->corner);
@@ -161,7 +162,7 @@ static void make_topology(const char *path, const mesh *m, surface *s)
 {
     n3_status status;
     size_t size;
-    int item = 0;
+    int item = -1;
     memset(s, 0, sizeof *s);
     s->mesh.points = m->points;
     s->mesh.triangles = m->triangles;
@@ -183,7 +184,7 @@ void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_r
 {
     n3_options options = {0, 0, 0};
     n3_status status;
-    int item = 0;
+    int item = -1;
     make_topology(path, m, s);
     make_normals(path, m, cos_crease, s);
     s->rule = rule;
