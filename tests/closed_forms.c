@@ -596,9 +596,10 @@ static dvec arc_centre_along(const n3_edge e[3], const n3_vec n[3])
 static dvec arc_centre(const n3_edge e[3], const n3_vec n[3], const n3_vec mid[3], double *q)
 {
     dvec C = arc_centre_along(e, n), N = d_add(wide(n[0]), d_add(wide(n[1]), wide(n[2])));
-    double rc = 0, cc = 0;
+    double rc = 0, cc = 0, low;
     int i;
     *q = d_len(N);
+    low = 0.75 * fmax(1, 1 / (16 * *q * *q)); /* the move fades below |N| = 1/4 */
     N = d_unit(N);
     for (i = 0; i < 3; i++) {
         const n3_vec *p = e[i].p;
@@ -613,7 +614,7 @@ static dvec arc_centre(const n3_edge e[3], const n3_vec n[3], const n3_vec mid[3
         c = d_dot(m, N);
         rc += r * c, cc += c * c;
     }
-    return d_mix(1, C, rc / fmax(cc, 0.75), N);
+    return d_mix(1, C, rc / fmax(cc, low), N);
 }
 
 /* The centre of the arc rule as it is defined, for random curves and normals. Coordinates are up to

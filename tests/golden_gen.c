@@ -395,18 +395,19 @@ static quad misfit(const vec *net, vec centre, const vec mid[3])
 }
 
 /* The centre on a line along the mean normal where the misfit, a parabola, is least; its
- * curvature held from below. */
+ * curvature held from below, the more the nearer the normals come to cancelling. */
 static vec centre_arc(const vec *net, const vec n[3], const vec mid[3])
 {
     vec c = centre_tangential(net, n, centre_coons(net));
-    vec up = unit(add(n[0], add(n[1], n[2])));
+    vec sum = add(n[0], add(n[1], n[2])), up = unit(sum);
+    quad low = fmaxq(1, 1 / (16 * dot(sum, sum))) * 3 / 4;
     quad step = largest(sub(net[1], net[0])) + largest(sub(net[2], net[0]));
     quad here, above, below, bend;
     if (!(step > 0)) return c;
     here = misfit(net, c, mid);
     above = misfit(net, add(c, mul(step, up)), mid);
     below = misfit(net, sub(c, mul(step, up)), mid);
-    bend = fmaxq((above - 2 * here + below) / (2 * step * step), (quad)3 / 4);
+    bend = fmaxq((above - 2 * here + below) / (2 * step * step), low);
     return add(c, mul((below - above) / (4 * step * bend), up));
 }
 
