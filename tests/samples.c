@@ -111,7 +111,7 @@ static void make_equal_normals(sample *s, rng *r)
 
 sample sample_make(long i)
 {
-        static void (*const make[KINDS])(sample *, rng *) = {
+    static void (*const make[KINDS])(sample *, rng *) = {
         make_benign, make_nearly_parallel, make_nearly_opposite, make_along_chord,
         make_coincident, make_sliver, make_mixed_exponents, make_orthogonal, make_on_axes,
         make_equal_normals};
@@ -156,7 +156,7 @@ void dyadic_weights(rng *r, n3_real *u, n3_real *v)
     *u = dyadic(r, 0, 1);
     *v = dyadic(r, 0, 1);
     if (*u + *v > 1) *u = 1 - *u, *v = 1 - *v;
-        switch (below(r, 9)) {
+    switch (below(r, 9)) {
     case 0: *u = 0; break;
     case 1: *v = 0; break;
     case 2: *v = 1 - *u; break;
