@@ -39,7 +39,8 @@ watertight() {
          $1 == "f" { for (i = 2; i <= 4; i++) { split($i, a, "/"); corner[i] = a[1] }
                      corner[5] = corner[2]
                      for (i = 2; i <= 4; i++) side[corner[i], corner[i + 1]]++ }
-         END { for (s in side) { split(s, a, SUBSEP); if (side[s] != 1 || side[a[2], a[1]] != 1) bad++ }
+         END { for (s in side) { split(s, a, SUBSEP)
+                                 if (side[s] != 1 || side[a[2], a[1]] != 1) bad++ }
                if (bad) print "    " bad " points or sides are wrong"
                exit bad > 0 }' "$1"
 }
@@ -58,18 +59,24 @@ variant() {
     check "OBJ with $1" cmp -s "$dir/out.obj" "$dir/tetra.obj"
 }
 faces='f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n'
-variant 'CR LF' 'v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nv 0 0 1\r\nf 1 3 2\r\nf 1 2 4\r\nf 2 3 4\r\nf 3 1 4\r\n'
-variant 'CR alone' 'v 0 0 0\rv 1 0 0\rv 0 1 0\rv 0 0 1\rf 1 3 2\rf 1 2 4\rf 2 3 4\rf 3 1 4'
+variant 'CR LF' \
+    'v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nv 0 0 1\r\nf 1 3 2\r\nf 1 2 4\r\nf 2 3 4\r\nf 3 1 4\r\n'
+variant 'CR alone' \
+    'v 0 0 0\rv 1 0 0\rv 0 1 0\rv 0 0 1\rf 1 3 2\rf 1 2 4\rf 2 3 4\rf 3 1 4'
 variant 'tabs and blanks' "\\tv  0\\t0 0 \\nv 1 0 0\\nv 0 1 0\\nv 0 0 1\\n$faces"
 variant 'comments' "# v 9 9 9 \\\\\\n$tetra f 1 3 2 # and more\\nf 1 2 4 #\\nf 2 3 4\\nf 3 1 4\\n"
-variant 'continued lines' 'v 0 0 \\\n0\nv 1 0\\\n 0\nv 0 1 0\nv 0 0 1\nf 1 \\\r\n3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4'
+variant 'continued lines' \
+    'v 0 0 \\\n0\nv 1 0\\\n 0\nv 0 1 0\nv 0 0 1\nf 1 \\\r\n3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4'
 variant 'negative indices' "${tetra}f -4 -2 -3\\nf -4 -3 -1\\nf -3 -2 -1\\nf -2 -4 -1\\n"
 variant 'v/t' "${tetra}vt 0 0\\nf 1/1 3/1 2/1\\nf 1/1 2/1 4/1\\nf 2/1 3/1 4/1\\nf 3/-1 1/1 4/1\\n"
-variant 'weights and colours' "v 0 0 0 1\\nv 1 0 0 .5 .5 .5\\nv 0 1 0 1 .5 .5 .5\\nv 0 0 1\\n$faces"
+variant 'weights and colours' \
+    "v 0 0 0 1\\nv 1 0 0 .5 .5 .5\\nv 0 1 0 1 .5 .5 .5\\nv 0 0 1\\n$faces"
 variant 'numbers of every form' "v 0. +.0 +0e5\\nv 1E0 0 0\\nv 0 10e-1 0\\nv 0 0 .01e+02\\n$faces"
-variant 'unknown statements' "mtllib a b\\no name\\n${tetra}usemtl x\\ng 1 2\\ns off\\n${faces}l 1 2\\n"
+variant 'unknown statements' \
+    "mtllib a b\\no name\\n${tetra}usemtl x\\ng 1 2\\ns off\\n${faces}l 1 2\\n"
 variant 'a byte order mark' "\\357\\273\\277$tetra$faces"
-variant 'an unused and a double point' "v 9 9 9\\nv 0 0 0\\nv 1 0 0\\nv 0 1 0\\nv 0 0 1\\nv -0 0 -0\\nf 2 4 3\\nf 6 3 5\\nf 3 4 5\\nf 4 2 5\\n"
+variant 'an unused and a double point' \
+    "v 9 9 9\\n${tetra}v -0 0 -0\\nf 2 4 3\\nf 6 3 5\\nf 3 4 5\\nf 4 2 5\\n"
 variant 'a collapsed triangle' "${tetra}f 1 3 2\\nf 1 2 4\\nf 1 2 1\\nf 2 3 4\\nf 3 1 4\\n"
 
 # ---- The same tetrahedron as STL. ----
@@ -112,7 +119,8 @@ fan 'a polygon with a corner inwards' 'v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4
 fan 'a square' 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n' 'f 1 2 3;f 1 3 4;'
 # Turned and moved its angles differ in the last bit, the second being the widest.
 fan 'a square to seven digits' \
-    'v 1.2493273 1.0726154 0\nv -.0446154 1.6433273 0\nv -.6153273 .3493846 0\nv .6786154 -.2213273 0\nf 1 2 3 4\n' \
+    'v 1.2493273 1.0726154 0\nv -.0446154 1.6433273 0\nv -.6153273 .3493846 0
+v .6786154 -.2213273 0\nf 1 2 3 4\n' \
     'f 1 2 3;f 1 3 4;'
 fan 'a trapezoid' 'v 0 0 0\nv 4 0 0\nv 3 1 0\nv 1 1 0\nf 1 2 3 4\n' 'f 3 4 1;f 3 1 2;'
 
@@ -139,10 +147,12 @@ refuse_obj 'a fourth component' 'vn 1 0 0 0\n' ":1: '0' is one too many"
 refuse_obj 'a face of two' "${points}f 1 2\\n" ':4: a face needs three corners, here are 2'
 refuse_obj 'the point 0' "${points}f 1 2 0\\n" ':4: there is no point 0, only 3 so far'
 refuse_obj 'a point beyond' "${points}f 1 2 4\\n" ':4: there is no point 4, only 3 so far'
-refuse_obj 'a negative point beyond' "${points}f 1 2 -4\\n" ':4: there is no point -4, only 3 so far'
+refuse_obj 'a negative point beyond' "${points}f 1 2 -4\\n" \
+    ':4: there is no point -4, only 3 so far'
 refuse_obj 'a huge index' "${points}f 1 2 99999999999999999999\\n" \
     ':4: there is no point 2147483647, only 3 so far'
-refuse_obj 'a missing normal' "${points}f 1//1 2//1 3//1\\n" ':4: there is no normal 1, only 0 so far'
+refuse_obj 'a missing normal' "${points}f 1//1 2//1 3//1\\n" \
+    ':4: there is no normal 1, only 0 so far'
 refuse_obj 'a corner of four' "${points}vn 0 0 1\\nf 1/1/1/1 2 3\\n" \
     ":5: '1/1/1/1' is not a face's corner"
 refuse_obj 'a corner with a tail' "${points}f 1 2 3x\\n" ":4: '3x' is not a face's corner"
@@ -169,10 +179,14 @@ refuse 'ASCII STL without its end' "$dir/bad.stl" \
 head -c 283 "$dir/binary.stl" > "$dir/bad.stl"
 refuse 'a truncated binary STL' "$dir/bad.stl" \
     ': binary STL of 4 triangles is 284 bytes long, this file 283'
-{ head -c 80 "$dir/binary.stl"; printf '\377\377\377\377'; tail -c +85 "$dir/binary.stl"; } > "$dir/bad.stl"
+# replace BEFORE BYTES FROM: the binary STL with other bytes after the first BEFORE, up to FROM.
+replace() {
+    { head -c "$1" "$dir/binary.stl"; printf "$2"; tail -c +"$3" "$dir/binary.stl"; } > "$dir/bad.stl"
+}
+replace 80 '\377\377\377\377' 85
 refuse 'a binary STL with a wild count' "$dir/bad.stl" \
     ': binary STL of 4294967295 triangles is 214748364834 bytes long, this file 284'
-{ head -c 96 "$dir/binary.stl"; printf '\000\000\200\177'; tail -c +101 "$dir/binary.stl"; } > "$dir/bad.stl"
+replace 96 '\000\000\200\177' 101
 refuse 'infinity in a binary STL' "$dir/bad.stl" ': byte 96: not a finite number'
 
 # ---- Usage. ----
@@ -203,7 +217,8 @@ done
 check 'no output after bad usage' [ ! -e "$dir/no.obj" ]
 
 # ---- The output: whole or absent. ----
-same 'statistics are one line' "$("$smooth" "$dir/tetra.obj" -o "$dir/out.obj" 2>&1 | wc -l | tr -d ' ')" 1
+same 'statistics are one line' \
+    "$("$smooth" "$dir/tetra.obj" -o "$dir/out.obj" 2>&1 | wc -l | tr -d ' ')" 1
 same '--quiet' "$(quiet "$dir/tetra.obj" -o "$dir/out.obj" 2>&1)" ''
 got=$("$smooth" "$dir/tetra.obj" -o "$dir/absent/out.obj" 2>&1)
 same 'status where the folder is absent' $? 1
@@ -234,17 +249,21 @@ check 'input and output may be one file' cmp -s "$dir/both.obj" "$dir/out.obj"
 same 'no file is overwritten on the way' "$(cat "$dir/out.obj.part0")" precious
 
 # ---- Values: what is read comes back. ----
-obj 'v 0.1 1e-300 -1.7976931348623157e100\nv 0.30000000000000004 5e-324 123456789.123456789\nv 1 0 0\nf 1 2 3\n'
+obj 'v 0.1 1e-300 -1.7976931348623157e100\nv 0.30000000000000004 5e-324 123456789.123456789
+v 1 0 0\nf 1 2 3\n'
 quiet "$dir/in.obj" -o "$dir/out.obj" -n 1
-same 'round trip' "$(grep '^v ' "$dir/out.obj" | tr '\n' ';')" \
-    'v 0.1 1e-300 -1.7976931348623157e+100;v 0.30000000000000004 4.94065645841247e-324 123456789.12345679;v 1 0 0;'
+same 'round trip' "$(grep '^v ' "$dir/out.obj")" 'v 0.1 1e-300 -1.7976931348623157e+100
+v 0.30000000000000004 4.94065645841247e-324 123456789.12345679
+v 1 0 0'
 
 # ---- The rules, in the middle of a quarter circle: a = 45 degrees. ----
 obj 'v 1 0 0\nv 0 1 0\nv 0 0 1\nvn 3 0 0\nvn 0 1 0\nvn 0 0 1e-5\nf 1//1 2//2 3//3\n'
 middle() {
     quiet "$dir/in.obj" -o "$dir/out.obj" -n 2 --rule "$1"
-    awk -v want="$2" '$1 == "v" && ++n == 4 { r = sqrt($2 * $2 + $3 * $3); d = r - want
-        if (d < 0) d = -d; if (d > 1e-14) print "    radius " r ", not " want; exit d > 1e-14 }' "$dir/out.obj"
+    awk -v want="$2" '$1 == "v" && ++n == 4 {
+        r = sqrt($2 * $2 + $3 * $3); d = r < want ? want - r : r - want
+        if (d > 1e-14) print "    radius " r ", not " want
+        exit d > 1e-14 }' "$dir/out.obj"
 }
 # cos a; (cos a + 1 / cos a) / 2; cos a (1 + sin^2 a / 2)
 check 'rule flat' middle flat 0.70710678118654752
@@ -252,8 +271,8 @@ check 'rule nagata' middle nagata 1.06066017177982129
 check 'rule paper' middle paper 1.06066017177982129
 check 'rule pn' middle pn 0.88388347648318441
 
-# The same octant in its middle: PN edges have 1, 1/3, 0 at their thirds and 1/2 in the centre, which
-# makes (1 + 3 (8/3) + 6/2) / 27; the others have 1, 2/3, 0 and 2/3.
+# The same octant in its middle: PN edges have 1, 1/3, 0 at their thirds and 1/2 in the centre,
+# which makes (1 + 3 (8/3) + 6/2) / 27; the others have 1, 2/3, 0 and 2/3.
 centroid() {
     quiet "$dir/in.obj" -o "$dir/out.obj" -n 3 --rule "$1"
     awk -v want="$2" '$1 == "v" { x = $2 } END { d = x - want; if (d < 0) d = -d
@@ -302,7 +321,7 @@ for file in lagrange.vtu bezier.VTU; do
     same "nodes of $file" "$(nodes "$dir/$file" | wc -l | tr -d ' ')" $((114 + 2 * 336 + 224))
     same "cells of $file" "$(cells "$dir/$file" | awk 'NF == 10' | wc -l | tr -d ' ')" 224
     same "nodes in the cells of $file" \
-        "$(cells "$dir/$file" | tr ' ' '\n' | sort -n | uniq | sed -n '1p;$p' | tr '\n' ' ')" '0 1009 '
+        "$(cells "$dir/$file" | tr ' ' '\n' | sort -nu | sed -n '1p;$p' | tr '\n' ' ')" '0 1009 '
     check "$file counts them" grep -q 'NumberOfPoints="1010" NumberOfCells="224"' "$dir/$file"
 done
 same 'type 69' "$(grep -cx 69 "$dir/lagrange.vtu")" 224
@@ -343,7 +362,8 @@ sed '10,16s/vertex 1 0 0/vertex 1.0000001 0 1e-7/' "$dir/ascii.stl" > "$dir/loos
 same 'the default closes it' "$(field closed "$dir/loose.stl")" true
 same 'one point was welded' "$(field welded_points "$dir/loose.stl")" 1
 same 'joining equal points does not' "$(field closed "$dir/loose.stl" --weld 0)" false
-# A sheet of 10 x 10 squares, each triangle's points apart by up to 1.04e-5, 0.73e-6 of the diagonal.
+# A sheet of 10 x 10 squares, each triangle's points apart by up to 1.04e-5, which is 0.73e-6 of
+# the diagonal.
 awk 'function jitter() { seed = (seed * 1103 + 12345) % 65536; return (seed / 32768 - 1) * 3e-6 }
      function point(x, y) { printf "vertex %.9f %.9f %.9f\n", x + jitter(), y + jitter(), jitter() }
      function triangle(x, y, i, j, k, l) {
