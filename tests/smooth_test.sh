@@ -181,7 +181,11 @@ refuse 'a truncated binary STL' "$dir/bad.stl" \
     ': binary STL of 4 triangles is 284 bytes long, this file 283'
 # replace BEFORE BYTES FROM: the binary STL with other bytes after the first BEFORE, up to FROM.
 replace() {
-    { head -c "$1" "$dir/binary.stl"; printf "$2"; tail -c +"$3" "$dir/binary.stl"; } > "$dir/bad.stl"
+    {
+        head -c "$1" "$dir/binary.stl"
+        printf "$2"
+        tail -c +"$3" "$dir/binary.stl"
+    } > "$dir/bad.stl"
 }
 replace 80 '\377\377\377\377' 85
 refuse 'a binary STL with a wild count' "$dir/bad.stl" \
