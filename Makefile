@@ -17,9 +17,10 @@ LIB      = $(DESTDIR)$(PREFIX)/lib
 all: $(PROGRAMS)  ## the programs; this is what make alone does
 
 demo: $(BUILD)/smooth $(BUILD)/demo_mesh  ## smooth a small mesh into build/demo.vtu, build/demo.obj
-	$(BUILD)/demo_mesh > $(BUILD)/demo_in.obj
-	$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.obj
-	$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.vtu
+	@$(BUILD)/demo_mesh > $(BUILD)/demo_in.obj
+	@$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.obj --quiet
+	@$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.vtu --quiet --report
+	@echo 'Open $(BUILD)/demo.vtu in ParaView or $(BUILD)/demo.obj in any viewer of meshes.'
 
 test: $(TESTS) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests, in double and in float; N3_SAMPLES=n scales them
 	@sh tests/run.sh $(TESTS) "sh tests/smooth_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"

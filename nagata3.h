@@ -405,13 +405,12 @@ NAGATA3_API int n3i_order(n3_vec a, n3_vec b)
 }
 
 /* Puts the ends of an edge in an order that does not depend on how they were given: what is then
-   computed is the same from either end. True if they were swapped. */
+   computed is the same from either end. True if they were swapped. Ends in one place may stand
+   either way: all control points are there. */
 NAGATA3_API int n3i_sort_ends(n3_vertex *a, n3_vertex *b)
 {
-    int order = n3i_order(a->x, b->x);
     n3_vertex t = *a;
-    if (order == 0) order = n3i_order(a->n, b->n);
-    if (order <= 0) return 0;
+    if (n3i_order(a->x, b->x) <= 0) return 0;
     *a = *b;
     *b = t;
     return 1;
@@ -912,13 +911,14 @@ NAGATA3_API n3_vec n3i_normal_limit(const n3_patch *q, n3_real u, n3_real v)
     return n;
 }
 
+/* The triangle's normal has the rounding of q alone, below 8 eps. */
 NAGATA3_API n3_vec n3_patch_normal(const n3_patch *p, n3_real u, n3_real v)
 {
     n3_patch q = n3i_patch_boxed(p);
     n3_jet j = n3_patch_jet(&q, u, v);
     n3_vec n = n3i_clear(n3_cross(j.du, j.dv), n3_len(j.du) + n3_len(j.dv));
     if (n3i_is_zero(n)) n = n3i_normal_limit(&q, u, v);
-    if (n3i_is_zero(n)) n = n3i_clear(n3_cross(q.p[1], q.p[2]), 1);
+    if (n3i_is_zero(n)) n = n3i_clear(n3_cross(q.p[1], q.p[2]), (n3_real)1 / 4);
     if (n3i_is_zero(n)) n = n3i_clear(n3i_net_area(q.p), 1);
     return n;
 }
