@@ -31,12 +31,14 @@ static shape bracket_in_disorder(int angle)
 }
 
 /* Closed ones. given: all normals are; turned: some of the triangles are turned over. */
-static const struct { shape (*make)(int); int n, given, turned; } closed[] = {
-    {shape_icosphere, 1, 1, 0},      {torus, 5, 1, 0},
-    {shape_bracket, 3, 1, 0},        {shape_cone, 7, 0, 0},
-    {shape_hourglass, 5, 0, 0},      {polar, 4, 1, 0},
-    {bracket_in_disorder, 1, 1, 1},  {bracket_in_disorder, 3, 1, 1},
-    {bracket_in_disorder, 60, 1, 1}};
+static const struct {
+    shape (*make)(int);
+    int n, given, turned;
+} closed[] = {{shape_icosphere, 1, 1, 0},     {torus, 5, 1, 0},
+              {shape_bracket, 3, 1, 0},       {shape_cone, 7, 0, 0},
+              {shape_hourglass, 5, 0, 0},     {polar, 4, 1, 0},
+              {bracket_in_disorder, 1, 1, 1}, {bracket_in_disorder, 3, 1, 1},
+              {bracket_in_disorder, 60, 1, 1}};
 enum { CLOSED = sizeof closed / sizeof *closed };
 
 /* ---- Edges ---- */
@@ -78,8 +80,8 @@ static void smooth_edges_are_edges(void)
         }
 }
 
-/* A patch is its edges, and its centre by the rule, up to 8 ulp of coordinates below 4: the compiler
-   may contract sums here otherwise than there. Ranges agree with single patches. */
+/* A patch is its edges, and its centre by the rule, up to 8 ulp of coordinates below 4: the
+   compiler may contract sums here otherwise than there. Ranges agree with single patches. */
 static void patches_from_edges(void)
 {
     int row, rule, i, k;
@@ -122,7 +124,10 @@ static void patches_from_edges(void)
 /* Triangles on the edge from (0, 0, 0) to (2, 1, 0), each with its normals at both ends. */
 enum { SHEETS = 20 };
 
-typedef struct joint { int sheets; n3_vec normal[SHEETS][2]; } joint;
+typedef struct joint {
+    int sheets;
+    n3_vec normal[SHEETS][2];
+} joint;
 
 static const n3_vec ORIGIN = {0, 0, 0}, FAR_END = {2, 1, 0};
 
@@ -182,11 +187,12 @@ static void crease_normals(n3_vec c, n3_vec sum, double degrees, n3_vec n[2])
 
 /* angle: between the normals; off: of the crease off the chord, degrees. share: that of the crease
    in the tangent. */
-static const struct { double angle, off, share; } ramp[] = {
-    {0.2, 30, 0},        {1.1, 30, 0},      {2, 30, 0.186},    {3, 30, 0.404},  {5, 30, 0.839},
-    {5.7, 30, 0.991},    {5.8, 30, 1},      {45, 30, 1},       {90, 30, 1},     {120, 30, 1},
-    {170, 30, 1},        {178.7, 30, 1},    {90, 0, 1},        {90, 60, 1},     {90, 75, 1},
-    {90, 80, 0.482},     {90, 89, 0.00487}, {3, 80, 0.195},    {179, 30, 0},    {179.9, 30, 0}};
+static const struct {
+    double angle, off, share;
+} ramp[] = {{0.2, 30, 0},     {1.1, 30, 0},      {2, 30, 0.186}, {3, 30, 0.404}, {5, 30, 0.839},
+            {5.7, 30, 0.991}, {5.8, 30, 1},      {45, 30, 1},    {90, 30, 1},    {120, 30, 1},
+            {170, 30, 1},     {178.7, 30, 1},    {90, 0, 1},     {90, 60, 1},    {90, 75, 1},
+            {90, 80, 0.482},  {90, 89, 0.00487}, {3, 80, 0.195}, {179, 30, 0},   {179.9, 30, 0}};
 
 /* The share, from the angles: sin 1.1 degrees is 0.0192, sin 5.74 is 1/10. */
 static double share_of(double angle, double off)
@@ -223,66 +229,73 @@ static void crease_ramp(void)
             if (ramp[i].angle > 178.9) sum = n3_unit(n3_sub(n[!k], n[k]));
             e = n3_edge_make(vertex(ORIGIN, sum), vertex(FAR_END, j.normal[0][1]), &o);
             tangents(&e, plain);
-            want[0] = n3_unit(n3_add(n3_mul((n3_real)(1 - share), plain[0]),
-                                     n3_mul((n3_real)share, c)));
+            want[0] =
+                n3_unit(n3_add(n3_mul((n3_real)(1 - share), plain[0]), n3_mul((n3_real)share, c)));
             CHECK_VEC(t[0], want[0], 1e3 * EPS, i);
             CHECK_VEC(t[1], plain[1], 64 * EPS, i);
-            CHECK((flags & crease) == (sin(ramp[i].angle * DEGREE) > 0.02 ? N3_EDGE_HALF_CREASE : 0u),
+            CHECK((flags & crease) ==
+                      (sin(ramp[i].angle * DEGREE) > 0.02 ? N3_EDGE_HALF_CREASE : 0u),
                   i);
         }
 }
 
-/* With creases at both ends, off the chord by alpha and beta in one plane, the handles are those of
-   the triangle with these angles, (5.1.13) (5.1.14) with the clamps and the 60 degree branch, or
-   two of the arc rule's. */
+/* Creases at both ends, off the chord by alpha and beta, degrees, in one plane. */
+static const struct {
+    double alpha, beta;
+    unsigned flags;
+} creased[] = {{20, 40, 0},
+               {40, 20, 0},
+               {50, 50, 0},
+               {2, 45, N3_EDGE_CLAMPED},
+               {45, 3, N3_EDGE_CLAMPED},
+               {59, 30, 0},
+               {61, 30, N3_EDGE_BRANCH_60},
+               {30, 70, N3_EDGE_BRANCH_60},
+               {-20, 40, N3_EDGE_S_SHAPED},
+               {0, 0, N3_EDGE_STRAIGHT}};
+
+/* Their handles: those of the triangle with these angles, with the clamps and the 60 degree branch,
+   or two alike of the arc rule. */
+static void crease_lengths(const double angle[2], int rule, double d[2])
+{
+    double tangent[2], L = sqrt(5.0), half = fabs(angle[0] - angle[1]) / 2;
+    int k;
+    for (k = 0; k < 2; k++) tangent[k] = fmin(fmax(fabs(tan(angle[k])), 0.1), 10);
+    for (k = 0; k < 2; k++) {
+        double ratio = tangent[1 - k] / (tangent[0] + tangent[1]);
+        double stretch = fabs(angle[k]) <= 60 * DEGREE ? 1 / cos(angle[k]) : 2;
+        d[k] = rule == N3_RULE_ARC ? 2 * L / 3 / (1 + cos(half)) : ratio * stretch * 2 * L / 3;
+    }
+}
+
 static void crease_handles(void)
 {
-    static const struct { double alpha, beta; unsigned flags; } rows[] = {
-        {20, 40, 0},
-        {40, 20, 0},
-        {50, 50, 0},
-        {2, 45, N3_EDGE_CLAMPED},
-        {45, 3, N3_EDGE_CLAMPED},
-        {59, 30, 0},
-        {61, 30, N3_EDGE_BRANCH_60},
-        {30, 70, N3_EDGE_BRANCH_60},
-        {-20, 40, N3_EDGE_S_SHAPED},
-        {0, 0, N3_EDGE_STRAIGHT}};
+    n3_vec e = n3_unit(FAR_END), b = n3_unit(n3_v(-1, 2, 0));
+    const unsigned paper = N3_EDGE_CLAMPED | N3_EDGE_BRANCH_60,
+                   aside = N3_EDGE_FLIPPED | N3_EDGE_TURNED;
     size_t i;
     int rule, k;
-    n3_vec e = n3_unit(FAR_END), b = n3_unit(n3_v(-1, 2, 0));
-    double L = sqrt(5.0);
-    for (i = 0; i < sizeof rows / sizeof *rows; i++)
+    for (i = 0; i < sizeof creased / sizeof *creased; i++)
         for (rule = 0; rule < 2; rule++) {
-            double angle[2], tangent[2], d[2], half;
-            unsigned flags, paper = N3_EDGE_CLAMPED | N3_EDGE_BRANCH_60;
-            n3_vec t[2], p21, p12;
+            double angle[2], d[2];
+            unsigned flags, want = N3_EDGE_CREASE | creased[i].flags;
+            n3_vec t[2], n[2];
             n3_edge got;
             joint j;
-            angle[0] = rows[i].alpha * DEGREE;
-            angle[1] = -rows[i].beta * DEGREE;
+            angle[0] = creased[i].alpha * DEGREE;
+            angle[1] = -creased[i].beta * DEGREE;
             j.sheets = 2;
             for (k = 0; k < 2; k++) {
-                n3_vec n[2];
                 t[k] = n3_add(n3_mul((n3_real)cos(angle[k]), e), n3_mul((n3_real)sin(angle[k]), b));
                 crease_normals(t[k], n3_v(0, 0, 1), 80, n);
                 j.normal[0][k] = n[0];
                 j.normal[1][k] = n[1];
-                tangent[k] = fmin(fmax(fabs(tan(angle[k])), 0.1), 10);
             }
-            half = fabs(angle[0] - angle[1]) / 2;
-            for (k = 0; k < 2; k++) {
-                double ratio = tangent[1 - k] / (tangent[0] + tangent[1]);
-                double stretch = fabs(angle[k]) <= 60 * DEGREE ? 1 / cos(angle[k]) : 2;
-                d[k] = rule == N3_RULE_ARC ? 2 * L / 3 / (1 + cos(half)) : ratio * stretch * 2 * L / 3;
-            }
-            p21 = n3_mul((n3_real)d[0], t[0]);
-            p12 = n3_sub(FAR_END, n3_mul((n3_real)d[1], t[1]));
+            crease_lengths(angle, rule, d);
             got = joint_edge(&j, rule, &flags);
-            CHECK_VEC(got.p[1], p21, 64 * EPS, i);
-            CHECK_VEC(got.p[2], p12, 64 * EPS, i);
-            CHECK((flags & ~(unsigned)(N3_EDGE_FLIPPED | N3_EDGE_TURNED)) ==
-                  (N3_EDGE_CREASE | (rows[i].flags & ~(rule == N3_RULE_ARC ? paper : 0))), i);
+            CHECK_VEC(got.p[1], n3_mul((n3_real)d[0], t[0]), 64 * EPS, i);
+            CHECK_VEC(got.p[2], n3_sub(FAR_END, n3_mul((n3_real)d[1], t[1])), 64 * EPS, i);
+            CHECK((flags & ~aside) == (rule == N3_RULE_ARC ? want & ~paper : want), i);
         }
 }
 
@@ -333,8 +346,7 @@ static void joints_in_any_order(void)
                 a.normal[k][end] = n;
             }
         for (k = 0; k < a.sheets; k++)
-            for (end = 0; end < 2; end++)
-                b.normal[k][end] = a.normal[(k * 7 + 3) % a.sheets][end];
+            for (end = 0; end < 2; end++) b.normal[k][end] = a.normal[(k * 7 + 3) % a.sheets][end];
         if (a.sheets % 7 == 0) b = a; /* 7 is no step through all of them */
         rule = (int)(i % 2);
         e = joint_edge(&a, rule, NULL);
@@ -373,8 +385,8 @@ static void bracket_rims(void)
 }
 
 /* Corner normals of a smooth torus off by 0.17 degrees each: no crease, no turned tangent; the
-   handles move by the noise, at the worst tilted by the steepest tangent here, below 45 degrees, and
-   in the paper's plane by twice that. */
+   handles move by the noise, at the worst tilted by the steepest tangent here, below 45 degrees,
+   and in the paper's plane by twice that. */
 static void noise_on_seams(void)
 {
     int rule, i, k;
@@ -445,8 +457,8 @@ static void fit_on_cubics(void)
             double x = place[k][0] + rng_uniform(&r, -0.1, 0.1) * (k > 1), y = place[k][1];
             double zx = h * (3 * p[0] * x * x + 2 * p[1] * x * y + p[2] * y * y) / 6;
             double zy = h * (p[1] * x * x + 2 * p[2] * x * y + 3 * p[3] * y * y) / 6;
-            double z = h * (p[0] * x * x * x + p[1] * x * x * y + p[2] * x * y * y +
-                            p[3] * y * y * y) / 6;
+            double z =
+                h * (p[0] * x * x * x + p[1] * x * x * y + p[2] * x * y * y + p[3] * y * y * y) / 6;
             v[k] = vertex(n3_v((n3_real)x, (n3_real)y, (n3_real)z),
                           n3_unit(n3_v((n3_real)-zx, (n3_real)-zy, 1)));
         }
@@ -473,7 +485,8 @@ static void torus_errors(const built *b, double *distance, double *angle)
                 double ring = hypot((double)x.x, (double)x.y), c = 1 - 2 / ring;
                 out = n3_v((n3_real)((double)x.x * c), (n3_real)((double)x.y * c), x.z);
                 *distance = fmax(*distance, fabs((double)n3_len(out) - 1));
-                *angle = fmax(*angle, 2 * asin((double)n3_len(n3_sub(n3_unit(out), n)) / 2) / DEGREE);
+                *angle =
+                    fmax(*angle, 2 * asin((double)n3_len(n3_sub(n3_unit(out), n)) / 2) / DEGREE);
             }
     }
 }
@@ -482,10 +495,12 @@ static void torus_errors(const built *b, double *distance, double *angle)
    implementation of its own. */
 static void torus_accuracy(void)
 {
-    static const struct { int rule, n; double distance, angle; } rows[] = {
-        {N3_RULE_PAPER, 4, 1.66e-2, 10.5}, {N3_RULE_PAPER, 8, 9.9e-4, 1.48},
-        {N3_RULE_ARC, 4, 4.09e-3, 3.51},   {N3_RULE_ARC, 8, 4.66e-4, 0.739},
-        {N3_RULE_FIT, 4, 3.39e-3, 2.74},   {N3_RULE_FIT, 8, 2.10e-4, 0.356}};
+    static const struct {
+        int rule, n;
+        double distance, angle;
+    } rows[] = {{N3_RULE_PAPER, 4, 1.66e-2, 10.5}, {N3_RULE_PAPER, 8, 9.9e-4, 1.48},
+                {N3_RULE_ARC, 4, 4.09e-3, 3.51},   {N3_RULE_ARC, 8, 4.66e-4, 0.739},
+                {N3_RULE_FIT, 4, 3.39e-3, 2.74},   {N3_RULE_FIT, 8, 2.10e-4, 0.356}};
     size_t i;
     for (i = 0; i < sizeof rows / sizeof *rows; i++) {
         shape s = shape_torus(3 * rows[i].n, 2 * rows[i].n);
@@ -519,7 +534,8 @@ static refined refine(const built *b, int level)
     r.parent = memory((size_t)r.points, sizeof *r.parent);
     r.uv = memory(2 * (size_t)r.points, sizeof *r.uv);
     CHECK(n3_mesh_refine(&b->m, &b->t, b->net, level, r.point, r.triangle, r.normal, r.corner,
-                         r.parent, r.uv) == N3_OK, level);
+                         r.parent, r.uv) == N3_OK,
+          level);
     return r;
 }
 
@@ -553,7 +569,8 @@ static void refined_triangle(void)
         CHECK(r.parent[i / 2] == 0, i);
         CHECK_NEAR(r.uv[i], uv[i], 0, i);
     }
-    for (i = 0; i < 6; i++) CHECK_SAME(r.point[i], n3_patch_point(&p, r.uv[2 * i], r.uv[2 * i + 1]), i);
+    for (i = 0; i < 6; i++)
+        CHECK_SAME(r.point[i], n3_patch_point(&p, r.uv[2 * i], r.uv[2 * i + 1]), i);
     for (j = 0; j <= 2; k += 3 - j++)
         for (i = 0; i <= 2 - j; i++)
             CHECK_SAME(r.normal[k + i], n3_patch_normal(&p, (n3_real)i / 2, (n3_real)j / 2), j);
@@ -592,7 +609,9 @@ static void check_parents(const built *b, const refined *r, int level, long row)
 }
 
 /* A side of a triangle, its points in order, and whether it runs from the lower one. */
-typedef struct side { int lo, hi, up; } side;
+typedef struct side {
+    int lo, hi, up;
+} side;
 
 static int compare_sides(const void *a, const void *b)
 {
@@ -774,6 +793,32 @@ static void net_scaled(void)
         }
 }
 
+/* All points in one place, or on one line, and normals of any kind: finite, by every rule. */
+static void net_of_nothing(void)
+{
+    rng r = {13};
+    int i, rule, line, given;
+    for (rule = 0; rule < 3; rule++)
+        for (line = 0; line < 2; line++)
+            for (given = 0; given < 2; given++) {
+                shape s = shape_icosphere(0);
+                built b;
+                n3_report report;
+                for (i = 0; i < s.points; i++)
+                    s.point[i] = n3_mul((n3_real)(line * i), n3_v(1, 2, 3));
+                for (i = 0; i < s.normals; i++) s.normal[i] = i % 3 ? rng_unit(&r) : n3_v(1, 2, 3);
+                if (!given) shape_drop_normals(&s);
+                b = build(&s, rule, 0.5);
+                for (i = 0; i < b.nodes; i++) CHECK(is_finite_vec(b.net[i]), rule);
+                report = n3_mesh_report(&b.m, &b.t, b.net, b.flags);
+                CHECK(report.flat_triangles == 20, rule);
+                CHECK(report.degenerate_edges == (line ? 0 : 30), rule);
+                CHECK(given || report.straight_edges == (line ? 30 : 0), rule);
+                built_free(&b);
+                shape_free(&s);
+            }
+}
+
 /* ---- Real meshes, where they are at hand ---- */
 
 static void check_real(const shape *s, int is_closed, long row)
@@ -797,19 +842,21 @@ static void check_real(const shape *s, int is_closed, long row)
 
 static void real_meshes(void)
 {
-    static const struct { const char *path; int closed; } files[] = {
-        {"../shared/meshes/cad_bracket.obj", 1},
-        {"../shared/meshes/cad_cone_apex.obj", 1},
-        {"../shared/meshes/cad_torus.obj", 1},
-        {"../shared/meshes/gc_cat_head.obj", 0},
-        {"../shared/meshes/gc_fan3.obj", 0},
-        {"../shared/meshes/gc_hourglass_ico.obj", 1},
-        {"../shared/meshes/gc_moebius.obj", 0},
-        {"../shared/meshes/osd_loop_cube_creases1.obj", 1},
-        {"../shared/meshes/osd_loop_nonman_edges.obj", 0},
-        {"../shared/meshes/osd_loop_saddle_edgecorner.obj", 0},
-        {"../shared/meshes/spot_control_mesh.obj", 1},
-        {"../shared/meshes/tm_capsule.obj", 0}};
+    static const struct {
+        const char *path;
+        int closed;
+    } files[] = {{"../shared/meshes/cad_bracket.obj", 1},
+                 {"../shared/meshes/cad_cone_apex.obj", 1},
+                 {"../shared/meshes/cad_torus.obj", 1},
+                 {"../shared/meshes/gc_cat_head.obj", 0},
+                 {"../shared/meshes/gc_fan3.obj", 0},
+                 {"../shared/meshes/gc_hourglass_ico.obj", 1},
+                 {"../shared/meshes/gc_moebius.obj", 0},
+                 {"../shared/meshes/osd_loop_cube_creases1.obj", 1},
+                 {"../shared/meshes/osd_loop_nonman_edges.obj", 0},
+                 {"../shared/meshes/osd_loop_saddle_edgecorner.obj", 0},
+                 {"../shared/meshes/spot_control_mesh.obj", 1},
+                 {"../shared/meshes/tm_capsule.obj", 0}};
     size_t i;
     for (i = 0; i < sizeof files / sizeof *files; i++) {
         shape s;
@@ -823,23 +870,23 @@ static void real_meshes(void)
     }
 }
 
-const test_case tests_net[] = {
-    {"smooth_edges_are_edges", smooth_edges_are_edges},
-    {"patches_from_edges", patches_from_edges},
-    {"crease_ramp", crease_ramp},
-    {"crease_handles", crease_handles},
-    {"three_sheets", three_sheets},
-    {"joints_in_any_order", joints_in_any_order},
-    {"bracket_rims", bracket_rims},
-    {"noise_on_seams", noise_on_seams},
-    {"fit_on_sphere_and_cylinder", fit_on_sphere_and_cylinder},
-    {"fit_on_cubics", fit_on_cubics},
-    {"torus_accuracy", torus_accuracy},
-    {"refined_triangle", refined_triangle},
-    {"refined_is_watertight", refined_is_watertight},
-    {"patches_share_points", patches_share_points},
-    {"refined_in_any_order", refined_in_any_order},
-    {"refined_outputs_alone", refined_outputs_alone},
-    {"net_scaled", net_scaled},
-    {"real_meshes", real_meshes},
-    {NULL, NULL}};
+const test_case tests_net[] = {{"smooth_edges_are_edges", smooth_edges_are_edges},
+                               {"patches_from_edges", patches_from_edges},
+                               {"crease_ramp", crease_ramp},
+                               {"crease_handles", crease_handles},
+                               {"three_sheets", three_sheets},
+                               {"joints_in_any_order", joints_in_any_order},
+                               {"bracket_rims", bracket_rims},
+                               {"noise_on_seams", noise_on_seams},
+                               {"fit_on_sphere_and_cylinder", fit_on_sphere_and_cylinder},
+                               {"fit_on_cubics", fit_on_cubics},
+                               {"torus_accuracy", torus_accuracy},
+                               {"refined_triangle", refined_triangle},
+                               {"refined_is_watertight", refined_is_watertight},
+                               {"patches_share_points", patches_share_points},
+                               {"refined_in_any_order", refined_in_any_order},
+                               {"refined_outputs_alone", refined_outputs_alone},
+                               {"net_scaled", net_scaled},
+                               {"net_of_nothing", net_of_nothing},
+                               {"real_meshes", real_meshes},
+                               {NULL, NULL}};

@@ -14,10 +14,7 @@ static void *memory(size_t count, size_t size)
     return p;
 }
 
-static n3_vec vec(double x, double y, double z)
-{
-    return n3_v((n3_real)x, (n3_real)y, (n3_real)z);
-}
+static n3_vec vec(double x, double y, double z) { return n3_v((n3_real)x, (n3_real)y, (n3_real)z); }
 
 /* Room for so much; the counts start at 0 and grow by the add functions. */
 static shape shape_room(int points, int triangles, int normals)
@@ -90,10 +87,10 @@ static void split_sphere(shape *s)
 
 shape shape_icosphere(int level)
 {
-    static const int face[20][3] = {
-        {0, 8, 1}, {0, 1, 10}, {0, 5, 4},  {0, 4, 8},  {0, 10, 5},  {1, 6, 7}, {1, 8, 6},
-        {1, 7, 10}, {2, 3, 9}, {2, 11, 3}, {2, 4, 5},  {2, 9, 4},   {2, 5, 11}, {3, 7, 6},
-        {3, 6, 9}, {3, 11, 7}, {4, 9, 8},  {5, 10, 11}, {6, 8, 9},  {7, 11, 10}};
+    static const int face[20][3] = {{0, 8, 1},  {0, 1, 10}, {0, 5, 4},   {0, 4, 8}, {0, 10, 5},
+                                    {1, 6, 7},  {1, 8, 6},  {1, 7, 10},  {2, 3, 9}, {2, 11, 3},
+                                    {2, 4, 5},  {2, 9, 4},  {2, 5, 11},  {3, 7, 6}, {3, 6, 9},
+                                    {3, 11, 7}, {4, 9, 8},  {5, 10, 11}, {6, 8, 9}, {7, 11, 10}};
     int faces = 20 << (2 * level), i;
     double g = (1 + sqrt(5.0)) / 2;
     shape s = shape_room(faces / 2 + 2, faces, faces / 2 + 2);
@@ -504,7 +501,8 @@ built build_mesh(const n3_mesh *m, int rule, double cos_crease)
     b.normal = memory((size_t)(m->normals + 3 * m->triangles), sizeof *b.normal);
     b.corner = memory(3 * (size_t)m->triangles, sizeof *b.corner);
     CHECK(n3_mesh_normals(m, &b.t, (n3_real)cos_crease, NULL, b.normal, b.corner, &normals, NULL) ==
-          N3_OK, rule);
+              N3_OK,
+          rule);
     b.m.normal = &b.normal[0].x;
     b.m.normals = normals;
     b.m.corner = b.corner;

@@ -14,7 +14,7 @@ typedef struct shape {
 /* With exact normals. */
 shape shape_icosphere(int level);        /* radius 1 */
 shape shape_torus(int nu, int nv);       /* radii 2 and 1 */
-shape shape_polar(int nu, int nv);       /* sphere of quadrilaterals; halves at the poles collapse */
+shape shape_polar(int nu, int nv);       /* sphere; triangles at the poles collapse */
 shape shape_bracket(int round);          /* plate with fillets of round segments, and a hole; at its
                                             rims each face has its own normals */
 shape shape_cone(int n);                 /* and its base; the normal of the apex is zero */
