@@ -70,6 +70,7 @@ class Mutant:
         number = text.count("\n", 0, offset)
         self.text = text[:offset] + new + text[offset + len(old) :]
         self.key = name + ": " + self.text.split("\n")[number].strip()
+        self.line = number + 1
         self.title = f"nagata3.h:{number + 1}: {old} to {new or 'nothing'} in {self.key}"
 
 
@@ -165,7 +166,7 @@ def arguments():
     parser.add_argument("--seed", type=int, default=1, help="which ones (1)")
     parser.add_argument("--jobs", type=int, default=2, help="at the same time (2)")
     parser.add_argument("--samples", type=int, default=2000, help="N3_SAMPLES of the tests (2000)")
-    parser.add_argument("--function", default="", help="only in functions of such a name")
+    parser.add_argument("--lines", default="1-", help="FIRST-LAST, only in these of nagata3.h")
     return parser.parse_args()
 
 
@@ -177,7 +178,8 @@ def main():
     stale = explained - {mutant.key for mutant in mutants}
     for key in sorted(stale):
         print(f"{ALLOWED.name}: there is no such mutant: {key}")
-    mutants = [mutant for mutant in mutants if options.function in mutant.key.partition(":")[0]]
+    first, _, last = options.lines.partition("-")
+    mutants = [m for m in mutants if int(first) <= m.line <= int(last or len(text))]
     if not options.all:
         random.Random(options.seed).shuffle(mutants)
     count = len(mutants) if options.all else options.count
