@@ -1,16 +1,9 @@
 /* Meshes: topology, normals, fields, the report, and what the calls answer to bad input. */
-#include "shapes.h"
+#include "built.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static void *memory(size_t count, size_t size)
-{
-    void *p = calloc(count + 1, size);
-    if (!p) abort();
-    return p;
-}
 
 /* ---- Topology ---- */
 

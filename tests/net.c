@@ -1,5 +1,5 @@
 /* The net of a mesh and its refinement: shared edges, creases, no cracks. */
-#include "shapes.h"
+#include "built.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -7,13 +7,6 @@
 #include <string.h>
 
 static const double DEGREE = 3.14159265358979323846 / 180;
-
-static void *memory(size_t count, size_t size)
-{
-    void *p = calloc(count + 1, size);
-    if (!p) abort();
-    return p;
-}
 
 static shape polar(int n) { return shape_polar(2 * n, n); }
 static shape torus(int n) { return shape_torus(2 * n, n); }
