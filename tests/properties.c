@@ -565,8 +565,9 @@ static void arc_centres_move_with_rigid_motions(void)
         M = fmax(reach(p.p, 10), reach(q.p, 10));
         for (k = 0; k < 3; k++) {
             n3_vertex a = s.v[k], b = s.v[(k + 1) % 3];
-            double L = length(n3_sub(b.x, a.x)), delta = 10 * EPS * M / L + 16 * EPS;
-            double share = L > 0 ? slack(a, b, delta, ARC) : -1;
+            double L = length(n3_sub(b.x, a.x));
+            double delta = (L > 0 ? 10 * EPS * M / L : 1) + 16 * EPS;
+            double share = slack(a, b, delta, ARC);
             sound = sound && share >= 0;
             H = fmax(H, share * L + 12 * EPS * M);
             worst = fmax(worst, delta);
