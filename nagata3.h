@@ -1040,7 +1040,8 @@ NAGATA3_API int n3_mesh_nodes(const n3_mesh *m, const n3_topology *t);
    they agree it is n3_edge_make, bit for bit; where they differ by more than 1.1 degrees the edge
    turns into both tangent planes, and above 5.7 degrees it lies in both. It does not depend on the
    order of the triangles or of their corners. The centre by N3_RULE_FIT takes n3_edge_mid_normal
-   at edges with two triangles that agree. Corners without a normal leave the edge to the others.
+   at edges with two triangles that agree. Corners without a normal leave the edge to the others;
+   in a mesh without normals every edge is straight.
    net: [n3_mesh_nodes]. flags: [edges] of N3_EDGE_ bits, may be NULL. Linear. */
 NAGATA3_API n3_status n3_mesh_net(const n3_mesh *m, const n3_topology *t, const n3_options *o,
                                   n3_vec *net, unsigned *flags, int *item);
@@ -1050,7 +1051,8 @@ NAGATA3_API n3_status n3_mesh_net(const n3_mesh *m, const n3_topology *t, const 
 NAGATA3_API void n3_mesh_patch_nodes(const n3_mesh *m, const n3_topology *t, int triangle,
                                      int node[10]);
 
-/* The patches of the triangles first up to but not with last, into out[0] and on. */
+/* The patches of the triangles first up to but not with last, 0 <= first <= last <= triangles, into
+   out[0] and on. */
 NAGATA3_API void n3_mesh_patches(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
                                  int first, int last, n3_patch *out);
 
@@ -1569,14 +1571,15 @@ NAGATA3_API int n3i_number_fans(const n3_mesh *m, int first, int *corner)
     return next;
 }
 
-/* The largest component of a way from the first point: the size that lengths are measured by. */
+/* The largest component of a way from the first point, what lengths are measured by; 1 where all
+   points are in one place. */
 NAGATA3_API n3_real n3i_mesh_size(const n3_mesh *m)
 {
     n3_real size = 0;
     int i;
     for (i = 1; i < m->points; i++)
         size = n3i_larger(size, n3i_largest(n3_sub(n3i_point(m, i), n3i_point(m, 0))));
-    return size;
+    return size > 0 ? size : 1;
 }
 
 /* Max's term (e0 x e1) / (|e0|^2 |e1|^2) at a corner, in units of 1/size^2. Sides below eps^2 of
@@ -1740,6 +1743,7 @@ NAGATA3_API n3i_joint n3i_joint_make(const n3i_pair *list, int count, int end, n
     n3_vec n[N3I_PAIRS], sum = n3_v(0, 0, 0);
     n3i_joint joint;
     int i, k, kept = 0;
+    n[0] = sum;
     for (i = 0; i < count; i++) {
         n3_vec a = list[i].n[end];
         for (k = 0; k < kept && n3i_order(n[k], a) != 0; k++) continue;
