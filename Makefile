@@ -6,7 +6,7 @@ PREFIX ?= /usr/local
 BUILD   = build
 
 COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic -I. $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@
-PROGRAMS = $(addprefix $(BUILD)/,smooth demo_mesh 01_point figure7 facts bench_double bench_float)
+PROGRAMS = $(addprefix $(BUILD)/,smooth demo_mesh 01_point 02_deform figure7 facts bench_double bench_float)
 TESTS    = $(addprefix $(BUILD)/,test_double test_float)
 TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c))
 SMOOTH   = $(wildcard examples/smooth*.c examples/mesh*.c)
