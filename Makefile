@@ -6,7 +6,8 @@ PREFIX ?= /usr/local
 BUILD   = build
 
 COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic -I. $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@
-PROGRAMS = $(addprefix $(BUILD)/,smooth demo_mesh 01_point 02_deform figure7 facts bench_double bench_float)
+EXAMPLES = smooth demo_mesh 01_point 02_deform figure7
+PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) facts scale bench_double bench_float)
 TESTS    = $(addprefix $(BUILD)/,test_double test_float)
 TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c))
 SMOOTH   = $(wildcard examples/smooth*.c examples/mesh*.c)
@@ -34,8 +35,9 @@ dialects:  ## the header alone, in every dialect of CC and CXX
 mutants:  ## break the header in 60 places, the tests must notice; MUTANTS=--all for everywhere
 	@CC="$(CC)" python3 tests/mutants.py $(MUTANTS)
 
-bench: $(BUILD)/bench_double $(BUILD)/bench_float  ## what each call costs, beside the plain way
+bench: $(BUILD)/bench_double $(BUILD)/bench_float $(BUILD)/scale  ## what each call costs, beside the plain way
 	@$(BUILD)/bench_double $(ROUNDS) && $(BUILD)/bench_float $(ROUNDS)
+	@$(BUILD)/scale $(LARGEST)
 
 facts: $(BUILD)/facts  ## the README's figures
 	@$(BUILD)/facts
@@ -78,7 +80,7 @@ $(BUILD)/smooth: $(SMOOTH)
 	$(COMPILE) $(SMOOTH) -lm
 $(BUILD)/bench_double $(BUILD)/bench_float: bench/bench.c
 	$(COMPILE) $< -lm
-$(BUILD)/facts: bench/facts.c
+$(BUILD)/facts $(BUILD)/scale: $(BUILD)/%: bench/%.c
 	$(COMPILE) $< -lm
 $(BUILD)/golden_gen: tests/golden_gen.c
 	$(CC) -O2 -o $@ $< -lquadmath -lm
