@@ -190,6 +190,10 @@ static void status_of_pointers(void)
     CHECK(n3_mesh_refine(m, &t, NULL, 2, b.net, NULL, NULL, NULL, NULL, NULL) == null, 0);
     t.triangles--;
     CHECK(n3_mesh_net(m, &t, NULL, b.net, NULL, NULL) == N3_BAD_COUNT, 0);
+    t = b.t;
+    t.edges = 1073741824;
+    item = 5;
+    CHECK(n3_mesh_net(m, &t, NULL, b.net, NULL, &item) == N3_BAD_COUNT && item == -1, 0);
     built_free(&b);
     shape_free(&s);
 }
@@ -573,7 +577,7 @@ static void check_field(int degree, rng *r)
     enum { LEVEL = 4 };
     shape s = shape_soup(9, 8, r);
     built b;
-    int i, k, nodes, points, *parent;
+    int i, k, nodes, points, *parent, used[400] = {0};
     n3_vec place[200];
     n3_real nodal[400], *uv, *out;
     for (i = 0; i < s.points; i++) s.point[i].z = 0;
@@ -587,11 +591,14 @@ static void check_field(int degree, rng *r)
     parent = memory((size_t)points, sizeof *parent);
     uv = memory(2 * (size_t)points, sizeof *uv);
     out = memory(2 * (size_t)points, sizeof *out);
+    for (i = 0; i < points; i++) parent[i] = -5;
     CHECK(n3_mesh_refine(&b.m, &b.t, b.net, LEVEL, NULL, NULL, NULL, NULL, parent, uv) == N3_OK,
           degree);
     CHECK(n3_mesh_field(&b.m, &b.t, degree, 2, nodal, parent, uv, points, out) == N3_OK, degree);
+    for (i = 0; i < 3 * s.triangles; i++) used[s.triangle[i]] = 1;
     for (i = 0; i < points; i++) {
         n3_vec x = b.net[i < s.points ? i : 0];
+        CHECK(parent[i] >= 0 ? i >= s.points || used[i] : parent[i] == -1 && !used[i], degree);
         if (parent[i] >= 0) {
             n3_patch p = built_patch(&b, parent[i]);
             n3_real u = uv[2 * i], v = uv[2 * i + 1];
@@ -617,21 +624,38 @@ static void fields_of_polynomials(void)
     for (i = 0; i < count; i++) check_field(1 + (int)(i % 3), &r);
 }
 
+/* All of count parents the same: a triangle of the cube, which has 8 points and 12 triangles, or -1
+   for points in none. given: the values are. */
 static void fields_refused(void)
 {
+    static const struct {
+        int degree, components, parent, count, given;
+        n3_status status;
+    } rows[] = {{1, 1, 11, 9, 1, N3_OK},          {1, 1, -1, 8, 1, N3_OK},
+                {1, 0, 11, 9, 1, N3_OK},          {3, 1, 11, 0, 0, N3_OK},
+                {0, 1, 11, 9, 1, N3_BAD_COUNT},   {4, 1, 11, 9, 1, N3_BAD_COUNT},
+                {1, -1, 11, 9, 1, N3_BAD_COUNT},  {1, 1, 11, -1, 1, N3_BAD_COUNT},
+                {1, 1, 12, 9, 1, N3_BAD_COUNT},   {1, 1, -1, 9, 1, N3_BAD_COUNT},
+                {1, 1, 11, 9, 0, N3_NULL_POINTER}};
     shape s = shape_cube();
     built b = build(&s, N3_RULE_PAPER, -1);
-    n3_real nodal[8] = {0}, uv[2] = {0}, out[1];
-    static const struct {
-        int degree, parent, at, status;
-    } rows[] = {{1, 11, 0, N3_OK},        {0, 11, 0, N3_BAD_COUNT}, {4, 11, 0, N3_BAD_COUNT},
-                {1, 12, 0, N3_BAD_COUNT}, {1, -1, 0, N3_OK},        {1, -1, 1, N3_NULL_POINTER}};
     size_t i;
+    int k;
     for (i = 0; i < sizeof rows / sizeof *rows; i++) {
-        const n3_real *from = rows[i].at ? NULL : nodal;
-        CHECK((int)n3_mesh_field(&b.m, &b.t, rows[i].degree, 1, from, &rows[i].parent, uv, 1,
-                                 out) == rows[i].status,
-              i);
+        n3_real nodal[8], uv[18] = {0}, out[9];
+        int parent[9], count = rows[i].count;
+        n3_status got;
+        for (k = 0; k < 9; k++) parent[k] = rows[i].parent;
+        for (k = 0; k < 9; k++) out[k] = 77;
+        for (k = 0; k < 8; k++) nodal[k] = (n3_real)k;
+        got = n3_mesh_field(&b.m, &b.t, rows[i].degree, rows[i].components,
+                            rows[i].given ? nodal : NULL, parent, uv, count, out);
+        CHECK(got == rows[i].status, i);
+        for (k = 0; k < 9; k++) {
+            int same = got != N3_OK || k >= count || rows[i].components == 0;
+            int want = same ? 77 : rows[i].parent < 0 ? k : b.m.triangle[3 * 11];
+            CHECK_NEAR(out[k], want, 0, i);
+        }
     }
     built_free(&b);
     shape_free(&s);
@@ -666,7 +690,7 @@ static void report_counts(void)
     static const struct {
         shape (*make)(int);
         int n, edges, border, non_manifold, flipped, crease, half, collapsed, duplicate, back;
-    } rows[] = {{shape_bracket, 3, 288, 0, 0, 0, 64, 0, 0, 0, 0},
+    } rows[] = {{shape_bracket, 3, 360, 0, 0, 0, 80, 0, 0, 0, 0},
                 {shape_icosphere, 1, 120, 0, 0, 0, 0, 0, 0, 0, 0},
                 {shape_cone, 8, 24, 0, 0, 0, 8, 0, 0, 0, 0},
                 {shape_moebius, 9, 63, 18, 0, 2, 1, 1, 0, 0, 0},
