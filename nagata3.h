@@ -61,16 +61,37 @@
  *
  * Nagata's own patch, a quadratic one, is here too: its net is p002 p200 p020 | p101 p110 p011.
  *
+ * THE MESH
+ *
+ * A mesh is a view of the caller's arrays, and so is all memory. The calls, in order:
+ *
+ *     n3_mesh_topology    which triangles share an edge
+ *     n3_mesh_normals     normals where there are none, parted at creases
+ *     n3_mesh_net         the control points of all patches, each edge built once
+ *     n3_mesh_patches     the patches; n3_mesh_refine: a finer mesh on them
+ *     n3_mesh_field       nodal values, carried to the finer mesh
+ *     n3_mesh_report      what was found and what was done
+ *
+ * Where the triangles at an edge bring different normals n_i to one of its ends, the surface has
+ * several tangent planes there and the edge has to lie in all of them. With s the largest sine
+ * between two of the normals and c the direction of the sum of their n_i x n_j, turned along the
+ * chord, the edge leaves that end
+ *
+ *     s <= 1/50           as with one normal, their unit sum, all turned to one side of the plane
+ *     s >= 1/10           along c, the crease
+ *     between             in between, and so where c is more than 75 degrees off the chord
+ *
  * CONVENTIONS
  *
  * Normals are unit to rounding, points are in any unit. Angles appear as their tangents. Nothing
  * is allocated, nothing is kept, and nothing depends on anything but the arguments. Structures up
- * to a vertex go by value, larger ones by pointer; results are returned. An edge's curve is
- * the same, bit for bit, from either end: neighbours share it exactly. That wants IEEE arithmetic,
- * so neither -ffast-math nor x87, and as C promises nothing about contraction, -ffp-contract=off
- * makes sure. Edges run round the
- * triangle, ab, bc, ca, so that ca is the paper's third edge (5.2.7) reversed. In bounds,
- * eps is N3_EPS, the spacing of n3_real at 1, and an ulp is one of the largest coordinate involved.
+ * to a vertex go by value, larger ones by pointer; results are returned. Edges run round the
+ * triangle, ab, bc, ca, so that ca is the paper's third edge (5.2.7) reversed. In bounds, eps is
+ * N3_EPS, the spacing of n3_real at 1, and an ulp is one of the largest coordinate involved.
+ *
+ * An edge's curve is the same, bit for bit, from either end: neighbours share it exactly. That
+ * wants IEEE arithmetic, so neither -ffast-math nor x87; and as C promises nothing about
+ * contraction, -ffp-contract=off makes sure.
  *
  * DEGENERATE INPUT
  *
