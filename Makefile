@@ -6,12 +6,14 @@ PREFIX ?= /usr/local
 BUILD   = build
 
 COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic -I. $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@
-EXAMPLES = smooth demo_mesh 01_point 02_deform figure7
-PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) facts scale bench_double bench_float)
+EXAMPLES = smooth demo_mesh figure7 $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
+FIGURES  = facts scale accuracy bench_double bench_float
+PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) $(FIGURES))
 TESTS    = $(addprefix $(BUILD)/,test_double test_float)
 TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c))
 SMOOTH   = $(wildcard examples/smooth*.c examples/mesh*.c)
-HEADERS  = $(wildcard nagata3.h tests/*.h examples/*.h)
+ACCURACY = $(wildcard bench/accuracy*.c)
+HEADERS  = $(wildcard nagata3.h tests/*.h examples/*.h bench/*.h)
 VERSION  = $(shell sed -n 's/^.define NAGATA3_VERSION "\(.*\)"/\1/p' nagata3.h)
 LIB      = $(DESTDIR)$(PREFIX)/lib
 
@@ -23,7 +25,7 @@ demo: $(BUILD)/smooth $(BUILD)/demo_mesh  ## smooth a small mesh into build/demo
 	@$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.vtu --quiet --report
 	@echo 'Open $(BUILD)/demo.vtu in ParaView or $(BUILD)/demo.obj in any viewer of meshes.'
 
-test: $(TESTS) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests, in double and in float; N3_SAMPLES=n scales them
+test: $(TESTS) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests; N3_SAMPLES=n scales them
 	@sh tests/run.sh $(TESTS) "sh tests/smooth_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
 
 ledger:  ## every equation that the header cites has its test, and the reverse
@@ -35,9 +37,12 @@ dialects:  ## the header alone, in every dialect of CC and CXX
 mutants:  ## break the header in 60 places, the tests must notice; MUTANTS=--all for everywhere
 	@CC="$(CC)" python3 tests/mutants.py $(MUTANTS)
 
-bench: $(BUILD)/bench_double $(BUILD)/bench_float $(BUILD)/scale  ## what each call costs, beside the plain way
+bench: $(BUILD)/bench_double $(BUILD)/bench_float $(BUILD)/scale  ## what calls and meshes cost
 	@$(BUILD)/bench_double $(ROUNDS) && $(BUILD)/bench_float $(ROUNDS)
 	@$(BUILD)/scale $(LARGEST)
+
+accuracy: $(BUILD)/accuracy  ## how far from surfaces that are known exactly
+	@$(BUILD)/accuracy $(SURFACES)
 
 facts: $(BUILD)/facts  ## the README's figures
 	@$(BUILD)/facts
@@ -78,13 +83,15 @@ $(BUILD)/test_double $(BUILD)/test_float: $(TEST_SRC)
 	$(COMPILE) -Itests $(TEST_SRC) -lm
 $(BUILD)/smooth: $(SMOOTH)
 	$(COMPILE) $(SMOOTH) -lm
+$(BUILD)/accuracy: $(ACCURACY)
+	$(COMPILE) $(ACCURACY) -lm
 $(BUILD)/bench_double $(BUILD)/bench_float: bench/bench.c
-	$(COMPILE) $< -lm
-$(BUILD)/facts $(BUILD)/scale: $(BUILD)/%: bench/%.c
 	$(COMPILE) $< -lm
 $(BUILD)/golden_gen: tests/golden_gen.c
 	$(CC) -O2 -o $@ $< -lquadmath -lm
 $(BUILD)/%: examples/%.c
+	$(COMPILE) $< -lm
+$(BUILD)/%: bench/%.c
 	$(COMPILE) $< -lm
 $(BUILD)/%.csv: $(BUILD)/%_gen
 	$< > $@.part && mv $@.part $@
@@ -96,4 +103,4 @@ $(PROGRAMS) $(TESTS) $(BUILD)/golden_gen: $(HEADERS) | $(BUILD)
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test ledger dialects mutants bench facts golden figures install help clean
+.PHONY: all demo test ledger dialects mutants bench accuracy facts golden figures install help clean
