@@ -519,6 +519,23 @@ static void normals_beside_flat_triangle(void)
     }
 }
 
+/* Triangles on a line have no normal to tell a crease by: it is one between any two of them, unless
+   marks alone are asked for. All normals are zero. */
+static void normals_on_line(void)
+{
+    shape s = shape_icosphere(0);
+    int i, k;
+    shape_drop_normals(&s);
+    for (i = 0; i < s.points; i++) s.point[i] = n3_mul((n3_real)i, n3_v(1, 2, 3));
+    for (k = 0; k < 2; k++) {
+        built b = build(&s, N3_RULE_PAPER, k ? -1 : -0.99);
+        CHECK(b.m.normals == (k ? 12 : 60), k);
+        for (i = 0; i < b.m.normals; i++) CHECK_SAME(b.normal[i], n3_v(0, 0, 0), k);
+        built_free(&b);
+    }
+    shape_free(&s);
+}
+
 /* Scaling by a power of two changes no bit, up to the largest and down to the smallest sizes. */
 static void normals_scaled(void)
 {
@@ -867,7 +884,8 @@ const test_case tests_mesh[] = {{"topology_of_soup", topology_of_soup},
                                 {"normals_given", normals_given},
                                 {"normals_that_cancel", normals_that_cancel},
                                 {"normals_beside_flat_triangle", normals_beside_flat_triangle},
-                                {"normals_scaled", normals_scaled},
+                                {"normals_on_line", normals_on_line},
+    {"normals_scaled", normals_scaled},
                                 {"fields_of_polynomials", fields_of_polynomials},
                                 {"fields_refused", fields_refused},
                                 {"report_counts", report_counts},
