@@ -10,7 +10,8 @@ EXAMPLES = smooth demo_mesh figure7 $(patsubst examples/%.c,%,$(wildcard example
 FIGURES  = facts scale accuracy bench_double bench_float
 PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) $(FIGURES))
 TESTS    = $(addprefix $(BUILD)/,test_double test_float)
-TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c))
+TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c)) $(wildcard bench/accuracy_m*.c \
+           bench/accuracy_surface.c)
 SMOOTH   = $(wildcard examples/smooth*.c examples/mesh*.c)
 ACCURACY = $(wildcard bench/accuracy*.c)
 HEADERS  = $(wildcard nagata3.h tests/*.h examples/*.h bench/*.h)
