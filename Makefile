@@ -45,6 +45,9 @@ bench: $(BUILD)/bench_double $(BUILD)/bench_float $(BUILD)/scale  ## what calls 
 accuracy: $(BUILD)/accuracy  ## how far from surfaces that are known exactly
 	@$(BUILD)/accuracy $(SURFACES)
 
+sweep: $(BUILD)/accuracy  ## the constants that the paper leaves open, over the same surfaces
+	@$(BUILD)/accuracy --sweep
+
 facts: $(BUILD)/facts  ## the README's figures
 	@$(BUILD)/facts
 
@@ -104,4 +107,5 @@ $(PROGRAMS) $(TESTS) $(BUILD)/golden_gen: $(HEADERS) | $(BUILD)
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test ledger dialects mutants bench accuracy facts golden figures install help clean
+.PHONY: all demo test ledger dialects mutants bench accuracy sweep facts golden figures \
+        install help clean

@@ -484,38 +484,36 @@ static void normals_that_cancel(void)
     }
 }
 
-/* A triangle b, a, m without area in the seam a, b of a flat quadrilateral, and of a folded one: it
-   goes with the triangle a, b, c beyond its longest side. Fans on a: one, or two; on m: one, or
-   that of the two below and, without a normal, that of the flat triangle. */
+/* A triangle b, a, m without area in the seam a, b of a flat quadrilateral, and of a folded one,
+   begun at each of its corners: it goes with the triangle a, b, c beyond its longest side. Fans on
+   a: one, or two; on m: one, or that of the two below and, without a normal, that of the flat
+   triangle. */
 static void normals_beside_flat_triangle(void)
 {
-    static const int triangle[12] = {0, 1, 2, 1, 0, 3, 3, 0, 4, 1, 3, 4};
-    n3_vec point[5], normal[12];
-    int fold, i, work[64], corner[12], normals, zero;
-    n3_mesh m;
-    n3_topology t;
-    memset(&m, 0, sizeof m);
-    point[0] = n3_v(0, 0, 0);
-    point[1] = n3_v(2, 0, 0);
-    point[2] = n3_v(1, 1, 0);
-    point[3] = n3_v(1, 0, 0);
-    m.points = 5;
-    m.point = &point[0].x;
-    m.triangles = 4;
-    m.triangle = triangle;
-    for (fold = 0; fold < 2; fold++) {
+    static const int flat[5] = {1, 0, 3, 1, 0};
+    int triangle[12] = {0, 1, 2, 0, 0, 0, 3, 0, 4, 1, 3, 4}, row, i;
+    for (row = 0; row < 6; row++) {
+        int fold = row / 3, zero = 0;
+        shape s = shape_sheets(4);
         n3_vec below = fold ? n3_v(0, -1, 0) : n3_v(0, 0, 1);
-        point[4] = fold ? n3_v(1, 0, -1) : n3_v(1, -1, 0);
-        CHECK(n3_mesh_topology(&m, work, sizeof work, &t, NULL) == N3_OK, fold);
-        CHECK(n3_mesh_normals(&m, &t, (n3_real)1 / 2, NULL, normal, corner, &normals, NULL) ==
-                  N3_OK,
-              fold);
-        CHECK(normals == (fold ? 8 : 5), fold);
-        for (i = zero = 0; i < normals; i++) zero += same_vec(normal[i], n3_v(0, 0, 0));
-        CHECK(zero == fold, fold);
-        for (i = 0; i < 5; i++)
-            if (triangle[i] != 3) CHECK_VEC(normal[corner[i]], n3_v(0, 0, 1), 2 * EPS, i);
-        for (i = 6; i < 12; i++) CHECK_VEC(normal[corner[i]], below, 2 * EPS, i);
+        built b;
+        s.points = 5;
+        s.point[0] = n3_v(0, 0, 0);
+        s.point[1] = n3_v(2, 0, 0);
+        s.point[2] = n3_v(1, 1, 0);
+        s.point[3] = n3_v(1, 0, 0);
+        s.point[4] = fold ? n3_v(1, 0, -1) : n3_v(1, -1, 0);
+        memcpy(triangle + 3, flat + row % 3, 3 * sizeof(int));
+        memcpy(s.triangle, triangle, sizeof triangle);
+        b = build(&s, N3_RULE_PAPER, 0.5);
+        CHECK(b.m.normals == (fold ? 8 : 5), row);
+        for (i = 0; i < b.m.normals; i++) zero += same_vec(b.normal[i], n3_v(0, 0, 0));
+        CHECK(zero == fold, row);
+        for (i = 0; i < 12; i++)
+            if (i > 5 || triangle[i] != 3)
+                CHECK_VEC(b.normal[b.corner[i]], i > 5 ? below : n3_v(0, 0, 1), 2 * EPS, row);
+        built_free(&b);
+        shape_free(&s);
     }
 }
 
@@ -659,16 +657,16 @@ static void fields_refused(void)
     size_t i;
     int k;
     for (i = 0; i < sizeof rows / sizeof *rows; i++) {
-        n3_real nodal[8], uv[18] = {0}, out[9];
+        n3_real nodal[8], uv[18] = {0}, out[10];
         int parent[9], count = rows[i].count;
         n3_status got;
         for (k = 0; k < 9; k++) parent[k] = rows[i].parent;
-        for (k = 0; k < 9; k++) out[k] = 77;
+        for (k = 0; k < 10; k++) out[k] = 77;
         for (k = 0; k < 8; k++) nodal[k] = (n3_real)k;
         got = n3_mesh_field(&b.m, &b.t, rows[i].degree, rows[i].components,
                             rows[i].given ? nodal : NULL, parent, uv, count, out);
         CHECK(got == rows[i].status, i);
-        for (k = 0; k < 9; k++) {
+        for (k = 0; k < 10; k++) {
             int same = got != N3_OK || k >= count || rows[i].components == 0;
             int want = same ? 77 : rows[i].parent < 0 ? k : b.m.triangle[3 * 11];
             CHECK_NEAR(out[k], want, 0, i);
@@ -752,12 +750,13 @@ static void report_of_faults(void)
     s.triangle[0] = -1;
     s.triangle[4] = 42;
     s.triangle[5] = 2147483647;
+    s.triangle[9] = 99;
     s.corner[6] = 42;
     s.corner[9] = -5;
     s.triangle[12] = s.triangle[13];
     m = shape_mesh(&s);
     r = n3_mesh_report(&m, NULL, NULL, NULL);
-    CHECK(r.bad_points == 2 && r.bad_normals == 1 && r.bad_triangles == 2 && r.bad_corners == 1, 0);
+    CHECK(r.bad_points == 2 && r.bad_normals == 1 && r.bad_triangles == 3 && r.bad_corners == 1, 0);
     CHECK(r.collapsed_triangles == 1 && r.zero_normals >= 3, 0);
     CHECK(r.edges == -1 && r.border_edges == -1 && r.unused_points == -1, 0);
     CHECK(r.crease_edges == -1 && r.folding_patches == -1 && r.jump_edge == -1, 0);
@@ -834,39 +833,68 @@ static void report_measures(void)
     shape_free(&flat);
 }
 
-/* A flat patch with a control point pulled across the opposite side folds; and no patch that is
-   said not to fold has, on a lattice, a normal that turns away from the others. */
+/* A patch near the flat one over (0, 0), (1, 0), (0, 1), its points moved by up to reach. */
+static n3_patch shaken_patch(rng *r, n3_real reach)
+{
+    n3_vec z = n3_v(0, 0, 1);
+    n3_vertex a = {{0, 0, 0}, {0, 0, 0}}, b = {{1, 0, 0}, {0, 0, 0}}, c = {{0, 1, 0}, {0, 0, 0}};
+    n3_patch p;
+    int k;
+    a.n = b.n = c.n = z;
+    p = n3_patch_make(a, b, c, NULL);
+    for (k = 0; k < 10; k++) p.p[k] = n3_add(p.p[k], n3_mul(reach, rng_vec(r)));
+    return p;
+}
+
+/* The net of the normal is the polynomial 9 sum net[i][j] u^i v^j w^k, i + j + k = 4. Its terms
+   are below 4, there are 36 of them. */
+static void net_of_normal(void)
+{
+    rng r = {14};
+    long q, count = sample_count(500);
+    for (q = 0; q < count; q++) {
+        n3_patch p = shaken_patch(&r, (n3_real)1 / 2);
+        n3_vec net[5][5], sum = n3_v(0, 0, 0);
+        n3_real u = (n3_real)rng_uniform(&r, 0, 1), v = (1 - u) * (n3_real)rng_uniform(&r, 0, 1);
+        n3_jet jet = n3_patch_jet(&p, u, v);
+        int i, j, k;
+        n3i_normal_net(&p, net);
+        for (i = 0; i < 5; i++)
+            for (j = 0; i + j < 5; j++) {
+                n3_real weight = 9;
+                for (k = 0; k < 4; k++) weight *= k < i ? u : k < i + j ? v : 1 - u - v;
+                sum = n3_add(sum, n3_mul(weight, net[i][j]));
+            }
+        CHECK_VEC(sum, n3_cross(jet.du, jet.dv), 9 * 36 * 4 * EPS, q);
+    }
+}
+
+/* The middle pulled out of the triangle folds the patch; and no patch that is said not to fold has,
+   on a lattice, a normal that turns away from the sum of its net. */
 static void folds(void)
 {
     rng r = {5};
     long i, count = sample_count(2000);
-    n3_patch p;
-    n3_vertex a, b, c;
-    a.n = b.n = c.n = n3_v(0, 0, 1);
-    a.x = n3_v(0, 0, 0);
-    b.x = n3_v(1, 0, 0);
-    c.x = n3_v(0, 1, 0);
-    p = n3_patch_make(a, b, c, NULL);
+    int u, v, sound = 0;
+    n3_patch p = shaken_patch(&r, 0);
     CHECK(!n3_patch_may_fold(&p), 0);
     p.p[9] = n3_v(2, 2, 0);
     CHECK(n3_patch_may_fold(&p), 1);
     for (i = 0; i < count; i++) {
-        n3_patch q = n3_patch_make(a, b, c, NULL);
-        n3_vec first;
-        int k, u, v;
-        for (k = 0; k < 10; k++)
-            q.p[k] = n3_add(q.p[k], n3_mul((n3_real)(i % 5 + 1) / 25, rng_vec(&r)));
+        n3_patch q = shaken_patch(&r, (n3_real)(i % 5 + 1) / 25);
+        n3_vec net[5][5], sum = n3_v(0, 0, 0);
         if (n3_patch_may_fold(&q)) continue;
-        first = n3_v(0, 0, 0);
+        sound++;
+        n3i_normal_net(&q, net);
+        for (u = 0; u <= 4; u++)
+            for (v = 0; u + v <= 4; v++) sum = n3_add(sum, net[u][v]);
         for (u = 0; u <= 8; u++)
             for (v = 0; u + v <= 8; v++) {
-                n3_jet j = n3_patch_jet(&q, (n3_real)u / 8, (n3_real)v / 8);
-                first = n3_add(first, n3_cross(j.du, j.dv));
+                n3_vec n = n3_patch_normal(&q, (n3_real)u / 8, (n3_real)v / 8);
+                CHECK(n3_dot(n, sum) > 0, i);
             }
-        for (u = 0; u <= 8; u++)
-            for (v = 0; u + v <= 8; v++)
-                CHECK(n3_dot(n3_patch_normal(&q, (n3_real)u / 8, (n3_real)v / 8), first) > 0, i);
     }
+    CHECK(sound > count / 5, sound);
 }
 
 const test_case tests_mesh[] = {{"topology_of_soup", topology_of_soup},
@@ -892,5 +920,6 @@ const test_case tests_mesh[] = {{"topology_of_soup", topology_of_soup},
                                 {"report_of_faults", report_of_faults},
                                 {"report_of_garbage", report_of_garbage},
                                 {"report_measures", report_measures},
-                                {"folds", folds},
+                                {"net_of_normal", net_of_normal},
+    {"folds", folds},
                                 {NULL, NULL}};
