@@ -103,6 +103,7 @@ $(BUILD)/%.svg: $(BUILD)/%
 	$< > $@.part && mv $@.part $@
 
 $(BUILD)/%_float: CPPFLAGS += -DNAGATA3_FLOAT
+$(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compiles in half the time
 $(PROGRAMS) $(TESTS) $(BUILD)/golden_gen: $(HEADERS) | $(BUILD)
 $(BUILD):
 	mkdir -p $@
