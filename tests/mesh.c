@@ -168,6 +168,13 @@ static void status_of_topology(void)
     }
 }
 
+/* A status without an item says -1. */
+static void check_status(n3_status got, n3_status want, int *item, long row)
+{
+    CHECK(got == want && *item == -1, row);
+    *item = 5;
+}
+
 static void status_of_pointers(void)
 {
     shape s = shape_icosphere(0);
@@ -175,25 +182,31 @@ static void status_of_pointers(void)
     const n3_mesh *m = &b.m;
     const n3_status null = N3_NULL_POINTER;
     size_t size = n3_mesh_workspace(m);
+    n3_vec *normal = b.normal;
     n3_topology t = b.t;
-    int item = 5, normals;
+    int k = 5, normals, *corner = b.corner;
     CHECK(n3_mesh_workspace(NULL) == 0, 0);
-    CHECK(n3_mesh_topology(m, b.work, size - 1, &t, &item) == N3_BAD_WORKSPACE && item == -1, 0);
-    CHECK(n3_mesh_topology(m, NULL, size, &t, NULL) == null, 0);
-    CHECK(n3_mesh_topology(m, b.work, size, NULL, NULL) == null, 0);
-    CHECK(n3_mesh_topology(NULL, b.work, size, &t, NULL) == null, 0);
-    CHECK(n3_mesh_normals(m, &t, 0, NULL, NULL, b.corner, &normals, NULL) == null, 0);
-    CHECK(n3_mesh_normals(m, &t, 0, NULL, b.normal, NULL, &normals, NULL) == null, 0);
-    CHECK(n3_mesh_normals(m, &t, 0, NULL, b.normal, b.corner, NULL, NULL) == null, 0);
-    CHECK(n3_mesh_net(m, NULL, NULL, b.net, NULL, NULL) == null, 0);
-    CHECK(n3_mesh_net(m, &t, NULL, NULL, b.flags, NULL) == null, 0);
-    CHECK(n3_mesh_refine(m, &t, NULL, 2, b.net, NULL, NULL, NULL, NULL, NULL) == null, 0);
+    check_status(n3_mesh_topology(m, b.work, size - 1, &t, &k), N3_BAD_WORKSPACE, &k, 1);
+    check_status(n3_mesh_topology(m, NULL, size, &t, &k), null, &k, 2);
+    check_status(n3_mesh_topology(m, b.work, size, NULL, &k), null, &k, 3);
+    check_status(n3_mesh_topology(NULL, b.work, size, &t, &k), null, &k, 4);
+    check_status(n3_mesh_normals(m, &t, 0, NULL, NULL, corner, &normals, &k), null, &k, 5);
+    check_status(n3_mesh_normals(m, &t, 0, NULL, normal, NULL, &normals, &k), null, &k, 6);
+    check_status(n3_mesh_normals(m, &t, 0, NULL, normal, corner, NULL, &k), null, &k, 7);
+    check_status(n3_mesh_net(m, NULL, NULL, b.net, NULL, &k), null, &k, 8);
+    check_status(n3_mesh_net(m, &t, NULL, NULL, b.flags, &k), null, &k, 9);
+    CHECK(n3_mesh_refine(m, &t, NULL, 2, b.net, NULL, NULL, NULL, NULL, NULL) == null, 10);
+    CHECK(n3_mesh_refine(m, &t, NULL, 2, NULL, NULL, b.net, NULL, NULL, NULL) == null, 11);
+    CHECK(n3_mesh_refine_counts(NULL, &t, 2, NULL, NULL, NULL) == null, 12);
+    CHECK(n3_mesh_refine_counts(m, NULL, 2, NULL, NULL, NULL) == null, 13);
     t.triangles--;
-    CHECK(n3_mesh_net(m, &t, NULL, b.net, NULL, NULL) == N3_BAD_COUNT, 0);
+    check_status(n3_mesh_net(m, &t, NULL, b.net, NULL, &k), N3_BAD_COUNT, &k, 14);
+    t = b.t;
+    t.points--;
+    check_status(n3_mesh_net(m, &t, NULL, b.net, NULL, &k), N3_BAD_COUNT, &k, 15);
     t = b.t;
     t.edges = 1073741824;
-    item = 5;
-    CHECK(n3_mesh_net(m, &t, NULL, b.net, NULL, &item) == N3_BAD_COUNT && item == -1, 0);
+    check_status(n3_mesh_net(m, &t, NULL, b.net, NULL, &k), N3_BAD_COUNT, &k, 16);
     built_free(&b);
     shape_free(&s);
 }
@@ -737,6 +750,24 @@ static void report_counts(void)
     }
 }
 
+/* The smallest numbers that are not none. */
+static void report_of_one(void)
+{
+    n3_vec x = {1, 2, 3};
+    int triangle[3] = {0, 0, 0};
+    n3_mesh m;
+    n3_report r;
+    memset(&m, 0, sizeof m);
+    m.points = m.triangles = m.normals = 1;
+    m.point = m.normal = &x.x;
+    m.triangle = triangle;
+    r = n3_mesh_report(&m, NULL, NULL, NULL);
+    CHECK(r.points == 1 && r.triangles == 1 && r.normals == 1 && r.collapsed_triangles == 1, 0);
+    m.points = m.triangles = m.normals = -1;
+    r = n3_mesh_report(&m, NULL, NULL, NULL);
+    CHECK(r.points == 0 && r.triangles == 0 && r.normals == 0 && r.collapsed_triangles == 0, 1);
+}
+
 /* A mesh with one of each fault, and what is left unknown without its topology. */
 static void report_of_faults(void)
 {
@@ -917,7 +948,8 @@ const test_case tests_mesh[] = {{"topology_of_soup", topology_of_soup},
                                 {"fields_of_polynomials", fields_of_polynomials},
                                 {"fields_refused", fields_refused},
                                 {"report_counts", report_counts},
-                                {"report_of_faults", report_of_faults},
+                                {"report_of_one", report_of_one},
+    {"report_of_faults", report_of_faults},
                                 {"report_of_garbage", report_of_garbage},
                                 {"report_measures", report_measures},
                                 {"net_of_normal", net_of_normal},

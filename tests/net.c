@@ -480,6 +480,25 @@ static void fit_on_cubics(void)
     }
 }
 
+/* Normals that no surface has: the wanted normal is off the mean by 1/4 at most, to both sides. */
+static void fit_is_held(void)
+{
+    rng r = {15};
+    long i, count = sample_count(500);
+    int k, most[2] = {0, 0};
+    for (i = 0; i < count; i++) {
+        n3_vertex v[4];
+        n3_vec mean, off, side;
+        for (k = 0; k < 4; k++) v[k] = vertex(rng_vec(&r), n3_unit(n3_add(rng_vec(&r), FAR_END)));
+        mean = n3_unit(n3_add(v[0].n, v[1].n));
+        off = n3_sub(n3_edge_mid_normal(v[0], v[1], v[2], v[3]), mean);
+        side = n3_cross(mean, n3_sub(v[1].x, v[0].x));
+        CHECK(n3_len(off) <= (n3_real)1 / 4 + 4 * N3_EPS, i);
+        if (n3_len(off) >= (n3_real)1 / 4 - 4 * N3_EPS) most[n3_dot(off, side) > 0]++;
+    }
+    CHECK(most[0] > 0 && most[1] > 0, most[0]);
+}
+
 /* Largest distance of a torus's patches to it, and largest angle of their normals, degrees. */
 static void torus_errors(const built *b, double *distance, double *angle)
 {
@@ -889,6 +908,7 @@ const test_case tests_net[] = {{"smooth_edges_are_edges", smooth_edges_are_edges
                                {"noise_on_seams", noise_on_seams},
                                {"fit_on_sphere_and_cylinder", fit_on_sphere_and_cylinder},
                                {"fit_on_cubics", fit_on_cubics},
+    {"fit_is_held", fit_is_held},
                                {"torus_accuracy", torus_accuracy},
                                {"refined_triangle", refined_triangle},
                                {"refined_is_watertight", refined_is_watertight},
