@@ -504,7 +504,7 @@ static void normals_that_cancel(void)
 static void normals_beside_flat_triangle(void)
 {
     static const int flat[5] = {1, 0, 3, 1, 0};
-    int triangle[12] = {0, 1, 2, 0, 0, 0, 3, 0, 4, 1, 3, 4}, row, i;
+    int triangle[12] = {0, 0, 0, 0, 1, 2, 3, 0, 4, 1, 3, 4}, row, i;
     for (row = 0; row < 6; row++) {
         int fold = row / 3, zero = 0;
         shape s = shape_sheets(4);
@@ -516,7 +516,7 @@ static void normals_beside_flat_triangle(void)
         s.point[2] = n3_v(1, 1, 0);
         s.point[3] = n3_v(1, 0, 0);
         s.point[4] = fold ? n3_v(1, 0, -1) : n3_v(1, -1, 0);
-        memcpy(triangle + 3, flat + row % 3, 3 * sizeof(int));
+        memcpy(triangle, flat + row % 3, 3 * sizeof(int));
         memcpy(s.triangle, triangle, sizeof triangle);
         b = build(&s, N3_RULE_PAPER, 0.5);
         CHECK(b.m.normals == (fold ? 8 : 5), row);
