@@ -36,7 +36,7 @@ dialects:  ## the header alone, in every dialect of CC and CXX
 	@CC="$(CC)" CXX="$(CXX)" sh tests/compile/run.sh $(BUILD)/dialects
 
 mutants:  ## break the header in 60 places, the tests must notice; MUTANTS=--all for everywhere
-	@CC="$(CC)" python3 tests/mutants.py $(MUTANTS)
+	@CC="$(CC)" python3 tests/mutants.py $(MUTANTS) $(TEST_SRC)
 
 bench: $(BUILD)/bench_double $(BUILD)/bench_float $(BUILD)/scale  ## what calls and meshes cost
 	@$(BUILD)/bench_double $(ROUNDS) && $(BUILD)/bench_float $(ROUNDS)

@@ -1067,6 +1067,8 @@ enum {
    bad, not of unit length. The sum of the ends' normals misses the term T(ab, ab, y) / 8 of the
    slope across, T the third derivative of the surface. Each of the six chords d between the points
    tells one value of it, T(d, d, d) = -6 <d, n_i + n_j>; T is fitted to them.
+   For surfaces whose curvature does not jump: at the edge of a plane and a fillet the six chords
+   contradict each other, and the sum of the ends' normals is better.
    The same, bit for bit, as for (b, a, d, c). 500 flops. */
 NAGATA3_API n3_vec n3_edge_mid_normal(n3_vertex a, n3_vertex b, n3_vertex c, n3_vertex d);
 

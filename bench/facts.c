@@ -131,7 +131,8 @@ static int open_sides(const n3_mesh *m, const n3_topology *t)
     fine.point = &point[0].x;
     fine.triangle = &triangle[0][0];
     fail_if(n3_mesh_net(m, t, NULL, net, NULL, NULL) != N3_OK);
-    fail_if(n3_mesh_refine(m, t, net, PARTS, point, &triangle[0][0], NULL, NULL, NULL, NULL));
+    fail_if(n3_mesh_refine(m, t, net, PARTS, point, &triangle[0][0], NULL, NULL, NULL, NULL) !=
+            N3_OK);
     fail_if(n3_mesh_topology(&fine, work, sizeof work, &seams, NULL) != N3_OK);
     report = n3_mesh_report(&fine, &seams, NULL, NULL);
     return report.border_edges + report.non_manifold_edges;

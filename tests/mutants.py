@@ -77,20 +77,20 @@ class Mutant:
 class Tests:
     """The files of tests; one at a time, with empty tables in place of the others."""
 
-    def __init__(self, folder, compiler, samples):
+    def __init__(self, folder, compiler, samples, sources):
         self.folder, self.compiler = folder, compiler
         self.environment = dict(os.environ, N3_SAMPLES=str(samples))
-        self.tables = sorted(set(re.findall(r"\btests_\w+", (ROOT / "tests/check.c").read_text())))
-        self.kills = {table: [] for table in self.tables}
+        texts = {source: (ROOT / source).read_text() for source in sources}
+        table = {s: re.search(r"^const test_case (\w+)\[", t, re.M) for s, t in texts.items()}
+        self.tables = {found.group(1): source for source, found in table.items() if found}
+        self.shared = [s for s in sources if not table[s] and s != "tests/check.c"]
+        self.kills = {name: [] for name in self.tables}
         self.seconds = {}
-        files = {path.stem for path in (ROOT / "tests").glob("*.c")}
-        self.shared = sorted(files - {table[6:] for table in self.tables} - {"check", "golden_gen"})
-        for table in self.tables:
-            empty = "".join(
-                f"const test_case {t}[] = {{{{0, 0}}}};\n" for t in self.tables if t != table
+        for name, source in self.tables.items():
+            others = "".join(
+                f"const test_case {t}[] = {{{{0, 0}}}};\n" for t in self.tables if t != name
             )
-            source = f'#include "{ROOT}/tests/{table[6:]}.c"\n{empty}'
-            (folder / f"{table}.c").write_text(source)
+            (folder / f"{name}.c").write_text(f'#include "{ROOT}/{source}"\n{others}')
         for precision in PRECISIONS:
             harness = folder / f"check{precision}.o"
             self.compile(ROOT, precision, "-c", "tests/check.c", "-o", harness)
@@ -102,9 +102,9 @@ class Tests:
     def harness(self, include, precision):
         """The objects that every file of tests is linked with, None where they do not compile."""
         objects = []
-        for name in self.shared:
-            objects.append(include / f"{name}{precision}.o")
-            if not self.compile(include, precision, "-c", f"tests/{name}.c", "-o", objects[-1]):
+        for source in self.shared:
+            objects.append(include / f"{pathlib.Path(source).stem}{precision}.o")
+            if not self.compile(include, precision, "-c", source, "-o", objects[-1]):
                 return None
         return [*objects, self.folder / f"check{precision}.o"]
 
@@ -175,6 +175,7 @@ def survivors(mutants, tests, count, jobs):
 
 def arguments():
     parser = argparse.ArgumentParser(description="Break nagata3.h; the tests must notice.")
+    parser.add_argument("sources", nargs="+", help="the tests' C files")
     parser.add_argument("--count", type=int, default=60, help="mutants to try (60)")
     parser.add_argument("--all", action="store_true", help="try every one")
     parser.add_argument("--seed", type=int, default=1, help="which ones (1)")
@@ -199,7 +200,7 @@ def main():
     count = len(mutants) if options.all else options.count
     with tempfile.TemporaryDirectory() as name:
         compiler = shlex.split(os.environ.get("CC", "cc"))
-        tests = Tests(pathlib.Path(name), compiler, options.samples)
+        tests = Tests(pathlib.Path(name), compiler, options.samples, options.sources)
         unchanged = Mutant(text, ("", 0, "", ""))
         if not tests.survives(unchanged):
             failed = [table for table in tests.tables if tests.kills[table]]
