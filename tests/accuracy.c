@@ -124,4 +124,30 @@ static void accuracy_figures(void)
     }
 }
 
-const test_case tests_accuracy[] = {{"accuracy_figures", accuracy_figures}, {NULL, NULL}};
+/* Patches of the arc rule nearly agree on the normal along the edge that they share: the largest
+ * jump, in degrees, on two meshes, and its order. */
+static void jumps_across_edges(void)
+{
+    static const struct {
+        int surface, method;
+        double coarse, fine, order;
+    } jumps[] = {{SPHERE, PN, 15.84, 2.559, 2.6},      {SPHERE, ARC, 0.3285, 0.01728, 4.2},
+                 {TORUS_2_1, PN, 8.636, 1.236, 2.8},   {TORUS_2_1, ARC, 2.463, 0.2740, 3.2},
+                 {TORUS_2_1, FIT, 2.980, 0.3302, 3.2}, {ELLIPSOID, ARC, 14.18, 4.549, 1.6}};
+    long count = sample_count((long)(sizeof jumps / sizeof *jumps)), i;
+    for (i = 0; i < count && i < (long)(sizeof jumps / sizeof *jumps); i++) {
+        struct figure_row r = {0, 0, 0, 0, 0, 0, 0, 0};
+        double coarse, fine;
+        r.surface = jumps[i].surface;
+        r.method = jumps[i].method;
+        coarse = figures_of(&r, 0).jump;
+        fine = figures_of(&r, 1).jump;
+        CHECK_NEAR(coarse, jumps[i].coarse, 0.02 * jumps[i].coarse + 2e4 * EPS, i);
+        CHECK_NEAR(fine, jumps[i].fine, 0.02 * jumps[i].fine + 2e4 * EPS, i);
+        if (EPS < 1e-10) CHECK_NEAR(log2(coarse / fine), jumps[i].order, 0.3, i);
+    }
+}
+
+const test_case tests_accuracy[] = {{"accuracy_figures", accuracy_figures},
+                                    {"jumps_across_edges", jumps_across_edges},
+                                    {NULL, NULL}};
