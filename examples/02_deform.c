@@ -38,15 +38,21 @@ static void make_torus(n3_vec *point)
         }
 }
 
+static n3_status make_mesh(const n3_vec *node, n3_mesh *m, n3_topology *t)
+{
+    const n3_mesh empty = {POINTS, TRIANGLES, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0};
+    *m = empty;
+    m->point = &node->x;
+    m->triangle = &triangle[0][0];
+    return n3_mesh_topology(m, work, sizeof work, t, NULL);
+}
+
 /* The points of the smooth surface over the nodes, and the triangle, u and v of each. */
 static n3_status refine(const n3_vec *node, n3_vec *fine, int *parent, n3_real *uv)
 {
-    n3_mesh m = {POINTS, TRIANGLES, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0};
+    n3_mesh m;
     n3_topology t;
-    n3_status status;
-    m.point = &node->x;
-    m.triangle = &triangle[0][0];
-    status = n3_mesh_topology(&m, work, sizeof work, &t, NULL);
+    n3_status status = make_mesh(node, &m, &t);
     if (status == N3_OK)
         status = n3_mesh_normals(&m, &t, -1, NULL, normal, &corner[0][0], &m.normals, NULL);
     m.normal = &normal[0].x;
@@ -59,12 +65,9 @@ static n3_status refine(const n3_vec *node, n3_vec *fine, int *parent, n3_real *
 /* The places of the nodes carried to the same triangles, u and v as any nodal field is: linearly. */
 static n3_status carry(const n3_vec *moved, const int *parent, const n3_real *uv, n3_vec *fine)
 {
-    n3_mesh m = {POINTS, TRIANGLES, 0, NULL, 0, NULL, 0, NULL, 0, NULL, 0};
+    n3_mesh m;
     n3_topology t;
-    n3_status status;
-    m.point = &moved->x;
-    m.triangle = &triangle[0][0];
-    status = n3_mesh_topology(&m, work, sizeof work, &t, NULL);
+    n3_status status = make_mesh(moved, &m, &t);
     if (status != N3_OK) return status;
     return n3_mesh_field(&m, &t, 1, 3, &moved->x, parent, uv, FINE, &fine->x);
 }
