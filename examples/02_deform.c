@@ -62,7 +62,7 @@ static n3_status refine(const n3_vec *node, n3_vec *fine, int *parent, n3_real *
     return n3_mesh_refine(&m, &t, net, PARTS, fine, &fine_triangle[0][0], NULL, NULL, parent, uv);
 }
 
-/* The places of the nodes carried to the same triangles, u and v as any nodal field is: linearly. */
+/* The places of the nodes, carried to the same triangles, u and v linearly, as any nodal field. */
 static n3_status carry(const n3_vec *moved, const int *parent, const n3_real *uv, n3_vec *fine)
 {
     n3_mesh m;
