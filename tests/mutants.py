@@ -3,7 +3,8 @@
 
 A mutant is the header with one operator or one number changed in the body of a function. Each
 file of tests is built against it and run by itself, in double, then in float, until one of them
-fails, crashes or hangs. A mutant that does not compile does not count; another one is drawn.
+fails, crashes or hangs. A mutant that does not compile does not count; another one is drawn. The
+draw is by a hash of the changed line, so that it stays the same where the header stays the same.
 tests/mutants.txt lists the mutants that cannot be told from the header, each with the reason.
 Exit status 1: another mutant survived, or a line of that list fits none.
 """
@@ -11,9 +12,10 @@ Exit status 1: another mutant survived, or a line of that list fits none.
 import argparse
 import concurrent.futures
 import functools
+import hashlib
+import itertools
 import os
 import pathlib
-import random
 import re
 import shlex
 import subprocess
@@ -30,7 +32,8 @@ SWAPS = {
     "||": "&&", "!": "", "&": "|", "|": "&", "<<": ">>", ">>": "<<",
 }
 TOKEN = re.compile(r"->|\+\+|--|<<=|>>=|<<|>>|[-+*/%&|<>=!]=|&&|\|\||\w+(?:\.\w*)?|\S")
-FLAGS = "-std=c99 -O1 -w -Itests -fsanitize=bounds -fsanitize-undefined-trap-on-error -x c".split()
+LEVELS = ("-O0", "-O1")
+FLAGS = "-std=c99 -w -Itests -fsanitize=bounds -fsanitize-undefined-trap-on-error -x c".split()
 TYPE = r"\b(?:n3i?_\w+|int|char|unsigned|const)"
 
 
@@ -51,7 +54,9 @@ def declares(before, token):
     """The token is part of a declaration: a pointer's star or an array's size."""
     if token == "*":
         return re.search(TYPE + r"\s*$", before)
-    return token.isdigit() and re.search(TYPE + r"\s[^;()=]*\[$", before)
+    statement = re.split(r"[;{}]", before)[-1].strip()
+    declared = re.search(r"(,|" + TYPE + r")\s*\w+(\[\w*\])*\[$", statement)
+    return token.isdigit() and declared and re.match(r"(static\s+)?" + TYPE, statement)
 
 
 def places(text):
@@ -83,46 +88,56 @@ class Tests:
         texts = {source: (ROOT / source).read_text() for source in sources}
         table = {s: re.search(r"^const test_case (\w+)\[", t, re.M) for s, t in texts.items()}
         self.tables = {found.group(1): source for source, found in table.items() if found}
-        self.shared = [s for s in sources if not table[s] and s != "tests/check.c"]
+        self.shared = [source for source in sources if not table[source]]
         self.kills = {name: [] for name in self.tables}
-        self.seconds = {}
+        self.level, self.limit = {}, {}
         for name, source in self.tables.items():
             others = "".join(
                 f"const test_case {t}[] = {{{{0, 0}}}};\n" for t in self.tables if t != name
             )
             (folder / f"{name}.c").write_text(f'#include "{ROOT}/{source}"\n{others}')
-        for precision in PRECISIONS:
-            harness = folder / f"check{precision}.o"
-            self.compile(ROOT, precision, "-c", "tests/check.c", "-o", harness)
 
     def compile(self, include, *arguments):
         command = [*self.compiler, f"-I{include}", *FLAGS, *map(str, arguments)]
         return subprocess.run(command, cwd=ROOT, capture_output=True).returncode == 0
 
-    def harness(self, include, precision):
-        """The objects that every file of tests is linked with, None where they do not compile."""
+    def build(self, include, table, level, precision):
+        """The program of one file of tests, None where it does not compile."""
+        program = include / f"{table}{level}{precision}"
         objects = []
         for source in self.shared:
-            objects.append(include / f"{pathlib.Path(source).stem}{precision}.o")
-            if not self.compile(include, precision, "-c", source, "-o", objects[-1]):
-                return None
-        return [*objects, self.folder / f"check{precision}.o"]
+            objects.append(include / f"{pathlib.Path(source).stem}{level}{precision}.o")
+            if not objects[-1].exists():
+                self.compile(include, level, precision, "-c", source, "-o", objects[-1])
+        arguments = [self.folder / f"{table}.c", "-x", "none", *objects, "-o", program, "-lm"]
+        return program if self.compile(include, level, precision, *arguments) else None
 
-    def passes(self, include, table, precision, harness):
-        """True, False, or None where the test does not compile."""
-        program = include / f"{table}{precision}"
-        arguments = [self.folder / f"{table}.c", "-x", "none", *harness, "-o", program, "-lm"]
-        if not self.compile(include, precision, *arguments):
-            return None
-        limit = 10 * self.seconds.get((table, precision), 0) + 20
-        start = time.monotonic()
+    def passes(self, program, limit):
         try:
             done = subprocess.run([program], cwd=ROOT, env=self.environment, timeout=limit,
                                   capture_output=True)
         except subprocess.TimeoutExpired:
             return False
-        self.seconds.setdefault((table, precision), time.monotonic() - start)
         return done.returncode == 0
+
+    def choose_levels(self, text):
+        """Takes the faster level for each file, in double, and returns the files that fail."""
+        failed = []
+        include = self.folder / "unchanged"
+        include.mkdir()
+        (include / "nagata3.h").write_text(text)
+        for table in self.tables:
+            seconds = {}
+            for level in LEVELS:
+                start = time.monotonic()
+                program = self.build(include, table, level, PRECISIONS[0])
+                middle = time.monotonic()
+                if not program or not self.passes(program, None):
+                    failed.append(table)
+                seconds[level] = time.monotonic() - start
+                self.limit[table, level] = 20 + 10 * (time.monotonic() - middle)
+            self.level[table] = min(LEVELS, key=seconds.get)
+        return failed
 
     def order(self, line):
         """The tables, first those that have killed most mutants near the line."""
@@ -138,14 +153,14 @@ class Tests:
             include = pathlib.Path(name)
             (include / "nagata3.h").write_text(mutant.text)
             for precision in PRECISIONS:
-                harness = self.harness(include, precision)
-                if harness is None:
-                    return None
                 for table in self.order(mutant.line):
-                    passes = self.passes(include, table, precision, harness)
-                    if not passes:
+                    level = self.level[table]
+                    program = self.build(include, table, level, precision)
+                    if program is None:
+                        return None
+                    if not self.passes(program, self.limit[table, level]):
                         self.kills[table].append(mutant.line)
-                        return passes
+                        return False
         return True
 
 
@@ -196,15 +211,14 @@ def main():
     first, _, last = options.lines.partition("-")
     mutants = [m for m in mutants if int(first) <= m.line <= int(last or len(text))]
     if not options.all:
-        random.Random(options.seed).shuffle(mutants)
+        mutants.sort(key=lambda m: hashlib.sha1(f"{options.seed} {m.key}".encode()).digest())
     count = len(mutants) if options.all else options.count
     with tempfile.TemporaryDirectory() as name:
         compiler = shlex.split(os.environ.get("CC", "cc"))
         tests = Tests(pathlib.Path(name), compiler, options.samples, options.sources)
-        unchanged = Mutant(text, ("", 0, "", ""))
-        if not tests.survives(unchanged):
-            failed = [table for table in tests.tables if tests.kills[table]]
-            sys.exit(f"mutants.py: on the header as it is, these fail: {failed}")
+        failed = tests.choose_levels(text)
+        if failed:
+            sys.exit(f"mutants.py: on the header as it is, these fail: {' '.join(failed)}")
         found, tried = survivors(mutants, tests, count, options.jobs)
     unexplained = [mutant for mutant in found if mutant.key not in explained]
     print(f"{tried} of {len(mutants)} mutants: {tried - len(found)} killed, {len(found)} survived, "
