@@ -263,6 +263,23 @@ static void counts_overflow(void)
     CHECK(n3_mesh_nodes(&m, &t) == 0, 0);
 }
 
+/* Normals that no corner names, and no normals at all, behind a pointer. */
+static void unnamed_normals(void)
+{
+    shape s = shape_icosphere(0);
+    int i, count;
+    for (i = 0; i < 3 * s.triangles; i++) s.corner[i] = -1 - i;
+    for (count = 12; count >= 0; count -= 12) {
+        built b;
+        s.normals = count;
+        b = build(&s, N3_RULE_PAPER, -1);
+        CHECK(b.m.normals == count + 12, count);
+        for (i = 0; i < 60; i++) CHECK(b.corner[i] >= count, count);
+        built_free(&b);
+    }
+    shape_free(&s);
+}
+
 static void empty_mesh(void)
 {
     n3_mesh m;
@@ -456,11 +473,11 @@ static void normals_at_border(void)
 }
 
 /* Given normals keep their index and are made unit; unit ones keep their bits. The cone's apex has
-   none: its triangles share it, because at their other ends they agree. */
+   none: its triangles share it, because at their other ends they agree, sharp as its edges are. */
 static void normals_given(void)
 {
     shape s = shape_cone(12);
-    built b = build(&s, N3_RULE_PAPER, -1), c;
+    built b = build(&s, N3_RULE_PAPER, 0.99), c;
     int i;
     CHECK(b.m.normals == s.normals + 1, 0);
     for (i = 0; i < 3 * s.triangles; i++) {
@@ -471,7 +488,7 @@ static void normals_given(void)
     }
     for (i = 0; i < s.normals; i++)
         s.normal[i] = n3_mul((n3_real)(i % 2 ? 1e-9 : 7e8) * (n3_real)(i + 1), s.normal[i]);
-    c = build(&s, N3_RULE_PAPER, -1);
+    c = build(&s, N3_RULE_PAPER, 0.99);
     for (i = 0; i < s.normals; i++) CHECK_VEC(c.normal[i], b.normal[i], 4 * EPS, i);
     built_free(&c);
     built_free(&b);
@@ -494,6 +511,53 @@ static void normals_that_cancel(void)
         for (c = 0; c < 6; c++) CHECK_SAME(b.normal[b.corner[c]], n3_v(0, 0, -1), turn);
         built_free(&b);
         shape_free(&s);
+    }
+}
+
+/* A flat tetrahedron with its corners in order on a circle, where Max's sums cancel: at each corner
+   the largest of its triangles decides which way the normal looks, unless another one that looks
+   the other way is as large. */
+static void check_flat_tetrahedron(const n3_vec x[4], long row)
+{
+    static const int triangle[12] = {0, 1, 3, 1, 2, 3, 0, 2, 1, 0, 3, 2};
+    shape s = shape_sheets(4);
+    n3_real up[4] = {0, 0, 0, 0}, down[4] = {0, 0, 0, 0};
+    built b;
+    int c, f;
+    memcpy(s.triangle, triangle, sizeof triangle);
+    memcpy(s.point, x, 4 * sizeof *x);
+    s.points = 4;
+    b = build(&s, N3_RULE_PAPER, -1);
+    for (c = 0; c < 12; c++) {
+        const int *t = triangle + c - c % 3;
+        n3_vec n = n3_cross(n3_sub(x[t[1]], x[t[0]]), n3_sub(x[t[2]], x[t[0]]));
+        f = triangle[c];
+        if (n.z > up[f]) up[f] = n.z;
+        if (-n.z > down[f]) down[f] = -n.z;
+    }
+    CHECK(b.m.normals == 4, row);
+    for (c = 0; c < 12; c++) {
+        n3_vec n = b.normal[b.corner[c]];
+        f = triangle[c];
+        if (up[f] > down[f]) CHECK_SAME(n, n3_v(0, 0, 1), row);
+        if (up[f] < down[f]) CHECK_SAME(n, n3_v(0, 0, -1), row);
+    }
+    built_free(&b);
+    shape_free(&s);
+}
+
+static void normals_of_flat_tetrahedra(void)
+{
+    static const n3_vec circle[12] = {{5, 0, 0},   {4, 3, 0},   {3, 4, 0},   {0, 5, 0},
+                                      {-3, 4, 0},  {-4, 3, 0},  {-5, 0, 0},  {-4, -3, 0},
+                                      {-3, -4, 0}, {0, -5, 0},  {3, -4, 0},  {4, -3, 0}};
+    int set, k;
+    for (set = 0; set < 1 << 12; set++) {
+        n3_vec x[4];
+        int count = 0;
+        for (k = 0; k < 12; k++)
+            if (set >> k & 1 && count++ < 4) x[count - 1] = circle[k];
+        if (count == 4) check_flat_tetrahedron(x, set);
     }
 }
 
@@ -934,7 +998,8 @@ const test_case tests_mesh[] = {{"topology_of_soup", topology_of_soup},
                                 {"status_of_pointers", status_of_pointers},
                                 {"status_texts", status_texts},
                                 {"counts_overflow", counts_overflow},
-                                {"empty_mesh", empty_mesh},
+                                {"unnamed_normals", unnamed_normals},
+    {"empty_mesh", empty_mesh},
                                 {"strides", strides},
                                 {"normals_on_sphere", normals_on_sphere},
                                 {"normals_of_cube", normals_of_cube},
@@ -942,7 +1007,8 @@ const test_case tests_mesh[] = {{"topology_of_soup", topology_of_soup},
                                 {"normals_at_border", normals_at_border},
                                 {"normals_given", normals_given},
                                 {"normals_that_cancel", normals_that_cancel},
-                                {"normals_beside_flat_triangle", normals_beside_flat_triangle},
+                                {"normals_of_flat_tetrahedra", normals_of_flat_tetrahedra},
+    {"normals_beside_flat_triangle", normals_beside_flat_triangle},
                                 {"normals_on_line", normals_on_line},
     {"normals_scaled", normals_scaled},
                                 {"fields_of_polynomials", fields_of_polynomials},

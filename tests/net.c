@@ -130,7 +130,8 @@ typedef struct joint {
 
 static const n3_vec ORIGIN = {0, 0, 0}, FAR_END = {2, 1, 0};
 
-/* Every second triangle runs from the other end; the points off the edge have no normals. */
+/* Every second triangle runs from the other end, and says with a negative index that a normal is
+   zero. The points off the edge have no normals. */
 static shape joint_shape(const joint *j)
 {
     shape s = shape_sheets(j->sheets);
@@ -144,6 +145,7 @@ static shape joint_shape(const joint *j)
             int end = i % 2 ? 1 - k : k;
             s.triangle[3 * i + k] = end;
             s.corner[3 * i + k] = 2 * i + end;
+            if (i % 2 && same_vec(j->normal[i][end], n3_v(0, 0, 0))) s.corner[3 * i + k] = -1;
             s.normal[2 * i + k] = j->normal[i][k];
         }
         s.corner[3 * i + 2] = -1;
@@ -363,6 +365,34 @@ static void joints_in_any_order(void)
         for (k = 0; k < 4; k++) CHECK_SAME(e.p[k], f.p[k], i);
         CHECK(n3_len(n3_sub(e.p[1], e.p[0])) <= (n3_real)1.34 * n3_len(FAR_END), i);
         CHECK(n3_len(n3_sub(e.p[3], e.p[2])) <= (n3_real)1.34 * n3_len(FAR_END), i);
+    }
+}
+
+/* Of more than 16 triangles with normals of their own the first 16 count, in the order of x at the
+   end that comes first. */
+static void joints_of_many(void)
+{
+    rng r = {16};
+    long i, count = sample_count(200);
+    int k, rule;
+    for (i = 0; i < count; i++) {
+        joint all, some;
+        n3_edge e, f;
+        all.sheets = SHEETS;
+        some.sheets = 16;
+        for (k = 0; k < SHEETS; k++) {
+            int place = (k * 7 + (int)(i % SHEETS)) % SHEETS;
+            n3_real x = (n3_real)(place - 10) / 16;
+            all.normal[k][0] = n3_unit(n3_v(x, 1, (n3_real)rng_uniform(&r, 0, 0.1)));
+            all.normal[k][1] = rng_unit(&r);
+            if (place >= 16) continue;
+            some.normal[place][0] = all.normal[k][0];
+            some.normal[place][1] = all.normal[k][1];
+        }
+        rule = (int)(i % 2);
+        e = joint_edge(&all, rule, NULL);
+        f = joint_edge(&some, rule, NULL);
+        for (k = 0; k < 4; k++) CHECK_SAME(e.p[k], f.p[k], i);
     }
 }
 
@@ -904,11 +934,12 @@ const test_case tests_net[] = {{"smooth_edges_are_edges", smooth_edges_are_edges
                                {"crease_handles", crease_handles},
                                {"three_sheets", three_sheets},
                                {"joints_in_any_order", joints_in_any_order},
+                               {"joints_of_many", joints_of_many},
                                {"bracket_rims", bracket_rims},
                                {"noise_on_seams", noise_on_seams},
                                {"fit_on_sphere_and_cylinder", fit_on_sphere_and_cylinder},
                                {"fit_on_cubics", fit_on_cubics},
-    {"fit_is_held", fit_is_held},
+                               {"fit_is_held", fit_is_held},
                                {"torus_accuracy", torus_accuracy},
                                {"refined_triangle", refined_triangle},
                                {"refined_is_watertight", refined_is_watertight},
