@@ -495,6 +495,29 @@ static void normals_given(void)
     shape_free(&s);
 }
 
+/* At the cone's base each triangle has its own normals, that of its plane or, turned, the neighbours'
+   turned round: then at the apex it has its own as well. */
+static void normals_given_apart(void)
+{
+    int turned, i, c;
+    for (turned = 0; turned < 2; turned++) {
+        shape s = shape_cone(6);
+        built b;
+        shape_split_normals(&s);
+        for (i = 0; i < s.triangles; i += 2) {
+            const int *t = s.triangle + 3 * i;
+            n3_vec x = s.point[t[0]], d = n3_sub(s.point[t[1]], x);
+            n3_vec face = n3_unit(n3_cross(d, n3_sub(s.point[t[2]], x)));
+            if (turned) face = n3_v(0, 0, i % 4 ? 1 : -1);
+            for (c = 3 * i; c < 3 * i + 2; c++) s.normal[c] = face;
+        }
+        b = build(&s, N3_RULE_PAPER, -1);
+        CHECK(b.m.normals == s.normals + 6, turned);
+        built_free(&b);
+        shape_free(&s);
+    }
+}
+
 /* Two triangles back to back cancel: the one that comes first in order decides, not the first in
    the mesh. */
 static void normals_that_cancel(void)
@@ -526,7 +549,8 @@ static void check_flat_tetrahedron(const n3_vec x[4], long row)
     int c, f;
     memcpy(s.triangle, triangle, sizeof triangle);
     memcpy(s.point, x, 4 * sizeof *x);
-    s.points = 4;
+    s.point[4] = n3_v(9999, 0, 0);
+    s.points = 5;
     b = build(&s, N3_RULE_PAPER, -1);
     for (c = 0; c < 12; c++) {
         const int *t = triangle + c - c % 3;
@@ -562,15 +586,16 @@ static void normals_of_flat_tetrahedra(void)
 }
 
 /* A triangle b, a, m without area in the seam a, b of a flat quadrilateral, and of a folded one,
-   begun at each of its corners: it goes with the triangle a, b, c beyond its longest side. Fans on
+   begun at each of its corners, first or last of four: it goes with the triangle a, b, c beyond its longest side. Fans on
    a: one, or two; on m: one, or that of the two below and, without a normal, that of the flat
    triangle. */
 static void normals_beside_flat_triangle(void)
 {
     static const int flat[5] = {1, 0, 3, 1, 0};
-    int triangle[12] = {0, 0, 0, 0, 1, 2, 3, 0, 4, 1, 3, 4}, row, i;
-    for (row = 0; row < 6; row++) {
-        int fold = row / 3, zero = 0;
+    int row, i;
+    for (row = 0; row < 12; row++) {
+        int triangle[15] = {0, 0, 0, 0, 1, 2, 3, 0, 4, 1, 3, 4}, *first = triangle + row / 6 * 3;
+        int fold = row / 3 % 2, zero = 0;
         shape s = shape_sheets(4);
         n3_vec below = fold ? n3_v(0, -1, 0) : n3_v(0, 0, 1);
         built b;
@@ -581,14 +606,17 @@ static void normals_beside_flat_triangle(void)
         s.point[3] = n3_v(1, 0, 0);
         s.point[4] = fold ? n3_v(1, 0, -1) : n3_v(1, -1, 0);
         memcpy(triangle, flat + row % 3, 3 * sizeof(int));
-        memcpy(s.triangle, triangle, sizeof triangle);
+        memcpy(triangle + 12, flat + row % 3, 3 * sizeof(int));
+        memcpy(s.triangle, first, 12 * sizeof(int));
         b = build(&s, N3_RULE_PAPER, 0.5);
         CHECK(b.m.normals == (fold ? 8 : 5), row);
         for (i = 0; i < b.m.normals; i++) zero += same_vec(b.normal[i], n3_v(0, 0, 0));
         CHECK(zero == fold, row);
-        for (i = 0; i < 12; i++)
-            if (i > 5 || triangle[i] != 3)
-                CHECK_VEC(b.normal[b.corner[i]], i > 5 ? below : n3_v(0, 0, 1), 2 * EPS, row);
+        for (i = 0; i < 12; i++) {
+            int under = first + i >= triangle + 6 && first + i < triangle + 12;
+            if (first[i] == 3 && !under) continue; /* the flat one at m */
+            CHECK_VEC(b.normal[b.corner[i]], under ? below : n3_v(0, 0, 1), 2 * EPS, row);
+        }
         built_free(&b);
         shape_free(&s);
     }
@@ -1006,7 +1034,8 @@ const test_case tests_mesh[] = {{"topology_of_soup", topology_of_soup},
                                 {"normals_counted", normals_counted},
                                 {"normals_at_border", normals_at_border},
                                 {"normals_given", normals_given},
-                                {"normals_that_cancel", normals_that_cancel},
+                                {"normals_given_apart", normals_given_apart},
+    {"normals_that_cancel", normals_that_cancel},
                                 {"normals_of_flat_tetrahedra", normals_of_flat_tetrahedra},
     {"normals_beside_flat_triangle", normals_beside_flat_triangle},
                                 {"normals_on_line", normals_on_line},

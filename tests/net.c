@@ -522,7 +522,8 @@ static void fit_is_held(void)
         for (k = 0; k < 4; k++) v[k] = vertex(rng_vec(&r), n3_unit(n3_add(rng_vec(&r), FAR_END)));
         mean = n3_unit(n3_add(v[0].n, v[1].n));
         off = n3_sub(n3_edge_mid_normal(v[0], v[1], v[2], v[3]), mean);
-        side = n3_cross(mean, n3_sub(v[1].x, v[0].x));
+        k = v[0].x.x < v[1].x.x; /* sides as seen from the end that comes first */
+        side = n3_cross(mean, n3_sub(v[k].x, v[!k].x));
         CHECK(n3_len(off) <= (n3_real)1 / 4 + 4 * N3_EPS, i);
         if (n3_len(off) >= (n3_real)1 / 4 - 4 * N3_EPS) most[n3_dot(off, side) > 0]++;
     }
