@@ -495,8 +495,8 @@ static void normals_given(void)
     shape_free(&s);
 }
 
-/* At the cone's base each triangle has its own normals, that of its plane or, turned, the neighbours'
-   turned round: then at the apex it has its own as well. */
+/* At the cone's base each triangle has its own normals, that of its plane or, turned, the
+   neighbours' turned round: then at the apex it has its own as well. */
 static void normals_given_apart(void)
 {
     int turned, i, c;
@@ -586,9 +586,9 @@ static void normals_of_flat_tetrahedra(void)
 }
 
 /* A triangle b, a, m without area in the seam a, b of a flat quadrilateral, and of a folded one,
-   begun at each of its corners, first or last of four: it goes with the triangle a, b, c beyond its longest side. Fans on
-   a: one, or two; on m: one, or that of the two below and, without a normal, that of the flat
-   triangle. */
+   begun at each of its corners, first or last of four: it goes with the triangle a, b, c beyond its
+   longest side. Fans on a: one, or two; on m: one, or that of the two below and, without a normal,
+   that of the flat triangle. */
 static void normals_beside_flat_triangle(void)
 {
     static const int flat[5] = {1, 0, 3, 1, 0};

@@ -263,6 +263,8 @@ static const struct {
                {61, 30, N3_EDGE_BRANCH_60},
                {30, 70, N3_EDGE_BRANCH_60},
                {-20, 40, N3_EDGE_S_SHAPED},
+               {-0.5, 40, N3_EDGE_CLAMPED},
+               {40, -0.5, N3_EDGE_CLAMPED},
                {0, 0, N3_EDGE_STRAIGHT}};
 
 /* Their handles: those of the triangle with these angles, with the clamps and the 60 degree branch,
