@@ -214,7 +214,7 @@ static void status_of_pointers(void)
 static void status_texts(void)
 {
     int i, k;
-    for (i = N3_OK; i <= N3_BAD_WORKSPACE; i++)
+    for (i = N3_OK; i <= N3_BAD_WORKSPACE + 1; i++) /* and one that is none */
         for (k = N3_OK; k < i; k++)
             CHECK(strcmp(n3_status_text((n3_status)i), n3_status_text((n3_status)k)) != 0, i);
 }
