@@ -42,7 +42,10 @@ def functions(text):
     blank = functools.partial(re.sub, r"[^\n]", " ")
     text = re.sub(r"/\*.*?\*/", lambda m: blank(m.group()), text, flags=re.S)
     text = re.sub(r"^[ \t]*#(?:.*\\\n)*.*$", lambda m: blank(m.group()), text, flags=re.M)
+    end = 0
     for head in re.finditer(r"\b(n3i?_\w+)\s*\([^;{}]*\)\s*\{", text):
+        if head.start() < end:
+            continue
         depth, end = 1, head.end()
         while depth:
             depth += {"{": 1, "}": -1}.get(text[end], 0)
@@ -74,7 +77,8 @@ class Mutant:
         name, offset, old, new = place
         number = text.count("\n", 0, offset)
         self.text = text[:offset] + new + text[offset + len(old) :]
-        self.key = name + ": " + self.text.split("\n")[number].strip()
+        line = re.sub(r"/\*.*?\*/", "", self.text.split("\n")[number])
+        self.key = name + ": " + " ".join(line.split())
         self.line = number + 1
         self.title = f"nagata3.h:{number + 1}: {old} to {new or 'nothing'} in {self.key}"
 
