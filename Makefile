@@ -10,11 +10,16 @@ EXAMPLES = smooth demo_mesh figure7 $(patsubst examples/%.c,%,$(wildcard example
 FIGURES  = facts scale accuracy bench_double bench_float
 PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) $(FIGURES))
 TESTS    = $(addprefix $(BUILD)/,test_double test_float)
+TOOLS    = $(addprefix $(BUILD)/,write_seeds dump)
 TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c)) $(wildcard bench/accuracy_m*.c \
            bench/accuracy_surface.c)
-SMOOTH   = $(wildcard examples/smooth*.c examples/mesh*.c)
+MESH     = $(wildcard examples/mesh*.c)
+SMOOTH   = $(wildcard examples/smooth*.c) $(MESH)
+SEEDS    = $(addprefix tests/fuzz/,mutate.c seeds.c)
+FUZZ     = tests/fuzz/sandbox.c $(filter-out examples/mesh_file.c,$(MESH))
+SANITIZE = -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
 ACCURACY = $(wildcard bench/accuracy*.c)
-HEADERS  = $(wildcard nagata3.h tests/*.h examples/*.h bench/*.h)
+HEADERS  = $(wildcard nagata3.h tests/*.h tests/fuzz/*.h examples/*.h bench/*.h)
 VERSION  = $(shell sed -n 's/^.define NAGATA3_VERSION "\(.*\)"/\1/p' nagata3.h)
 LIB      = $(DESTDIR)$(PREFIX)/lib
 
@@ -26,8 +31,12 @@ demo: $(BUILD)/smooth $(BUILD)/demo_mesh  ## smooth a small mesh into build/demo
 	@$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.vtu --quiet --report
 	@echo 'Open $(BUILD)/demo.vtu in ParaView or $(BUILD)/demo.obj in any viewer of meshes.'
 
-test: $(TESTS) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests; N3_SAMPLES=n scales them
-	@sh tests/run.sh $(TESTS) "sh tests/smooth_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
+test: $(TESTS) $(TOOLS) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests; N3_SAMPLES=n scales them
+	@sh tests/run.sh $(TESTS) "sh tests/smooth_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh" \
+	    "sh tests/files_test.sh $(BUILD)/smooth $(BUILD)/write_seeds $(BUILD)/dump"
+
+fuzz: $(BUILD)/fuzz  ## read broken files of every format under the sanitizers; FILES=n of them
+	@$(BUILD)/fuzz $(FILES)
 
 ledger:  ## every equation that the header cites has its test, and the reverse
 	@sh tests/ledger.sh
@@ -89,6 +98,12 @@ $(BUILD)/smooth: $(SMOOTH)
 	$(COMPILE) $(SMOOTH) -lm
 $(BUILD)/accuracy: $(ACCURACY)
 	$(COMPILE) $(ACCURACY) -lm
+$(BUILD)/dump: tests/fuzz/dump.c $(MESH)
+	$(COMPILE) -Iexamples $< $(MESH) -lm
+$(BUILD)/write_seeds: tests/fuzz/write_seeds.c $(SEEDS)
+	$(COMPILE) $< $(SEEDS)
+$(BUILD)/fuzz: tests/fuzz/fuzz.c $(SEEDS) $(FUZZ)
+	$(COMPILE) $(SANITIZE) -Iexamples -Dfree=sandbox_free $< $(SEEDS) $(FUZZ) -lm
 $(BUILD)/bench_double $(BUILD)/bench_float: bench/bench.c
 	$(COMPILE) $< -lm
 $(BUILD)/golden_gen: tests/golden_gen.c
@@ -104,9 +119,9 @@ $(BUILD)/%.svg: $(BUILD)/%
 
 $(BUILD)/%_float: CPPFLAGS += -DNAGATA3_FLOAT
 $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compiles in half the time
-$(PROGRAMS) $(TESTS) $(BUILD)/golden_gen: $(HEADERS) | $(BUILD)
+$(PROGRAMS) $(TOOLS) $(TESTS) $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(BUILD)
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test ledger dialects mutants bench accuracy sweep facts golden figures \
+.PHONY: all demo test fuzz ledger dialects mutants bench accuracy sweep facts golden figures \
         install help clean
