@@ -1020,14 +1020,79 @@ static void folds(void)
     CHECK(sound > count / 5, sound);
 }
 
-const test_case tests_mesh[] = {{"topology_of_soup", topology_of_soup},
+/* A point in no triangle keeps its place and has no parent and no parameters. */
+static void unused_points_refined(void)
+{
+    static const n3_real point[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 6, 7}};
+    static const int triangle[3] = {0, 1, 2};
+    n3_mesh m = {4, 1, 0, &point[0][0], 0, triangle, 0, NULL, 0, NULL, 0};
+    n3_topology t;
+    n3_vec net[4 + 6 + 1], fine[7];
+    int work[32], parent[7];
+    n3_real uv[14];
+    CHECK(n3_mesh_topology(&m, work, sizeof work, &t, NULL) == N3_OK, 0);
+    CHECK(n3_mesh_net(&m, &t, NULL, net, NULL, NULL) == N3_OK, 0);
+    CHECK(n3_mesh_refine(&m, &t, net, 2, fine, NULL, NULL, NULL, parent, uv) == N3_OK, 0);
+    CHECK_SAME(fine[3], n3_v(5, 6, 7), 0);
+    CHECK(parent[3] == -1 && parent[4] == 0, 0);
+    CHECK(same_real(uv[6], 0) && same_real(uv[7], 0), 0);
+}
+
+/* The largest jump at a smooth edge is looked for along all of it: it is the same when the two
+ * triangles change places, so that its quarters are met in reverse. */
+static void jump_from_both_ends(void)
+{
+    static const int triangles[2][6] = {{0, 1, 2, 1, 0, 3}, {1, 0, 3, 0, 1, 2}};
+    static const double place[4][2] = {{0, 0}, {1, 0}, {0.5, 1}, {0.5, -1}};
+    rng r = {77};
+    long i, count = sample_count(500);
+    for (i = 0; i < count; i++) {
+        n3_vec point[4], normal[4];
+        n3_real jump[2];
+        int k, way;
+        for (k = 0; k < 4; k++) {
+            n3_vec lean = n3_mul((n3_real)1 / 4, rng_vec(&r));
+            point[k] = n3_v((n3_real)place[k][0], (n3_real)place[k][1], lean.z);
+            normal[k] = n3_unit(n3_v(lean.x, lean.y, 1));
+        }
+        for (way = 0; way < 2; way++) {
+            n3_mesh m = {4, 2, 4, NULL, 0, NULL, 0, NULL, 0, NULL, 0};
+            n3_topology t;
+            n3_vec net[4 + 10 + 2];
+            unsigned flags[5];
+            int work[64];
+            m.point = &point[0].x;
+            m.triangle = triangles[way];
+            m.normal = &normal[0].x;
+            CHECK(n3_mesh_topology(&m, work, sizeof work, &t, NULL) == N3_OK, i);
+            CHECK(n3_mesh_net(&m, &t, NULL, net, flags, NULL) == N3_OK, i);
+            jump[way] = n3_mesh_report(&m, &t, net, flags).jump;
+        }
+        /* The normals' error, 28 eps over the sine of du and dv, which is above 1/8 here. */
+        CHECK_NEAR(jump[0], jump[1], 2 * 8 * 28 * EPS, i);
+    }
+}
+
+/* A thin triangle that looks down does not fold: nothing but the patch decides. */
+static void thin_patch_does_not_fold(void)
+{
+    n3_vertex a = {{0, 0, 0}, {0, 0, -1}}, b = {{0, (n3_real)0.001, 0}, {0, 0, -1}};
+    n3_vertex c = {{1, 0, 0}, {0, 0, -1}};
+    n3_patch p = n3_patch_make(a, b, c, NULL);
+    CHECK(!n3_patch_may_fold(&p), 0);
+}
+
+const test_case tests_mesh[] = {{"unused_points_refined", unused_points_refined},
+                                {"jump_from_both_ends", jump_from_both_ends},
+                                {"thin_patch_does_not_fold", thin_patch_does_not_fold},
+                                {"topology_of_soup", topology_of_soup},
                                 {"status_of_faults", status_of_faults},
                                 {"status_of_topology", status_of_topology},
                                 {"status_of_pointers", status_of_pointers},
                                 {"status_texts", status_texts},
                                 {"counts_overflow", counts_overflow},
                                 {"unnamed_normals", unnamed_normals},
-    {"empty_mesh", empty_mesh},
+                                {"empty_mesh", empty_mesh},
                                 {"strides", strides},
                                 {"normals_on_sphere", normals_on_sphere},
                                 {"normals_of_cube", normals_of_cube},
@@ -1035,18 +1100,18 @@ const test_case tests_mesh[] = {{"topology_of_soup", topology_of_soup},
                                 {"normals_at_border", normals_at_border},
                                 {"normals_given", normals_given},
                                 {"normals_given_apart", normals_given_apart},
-    {"normals_that_cancel", normals_that_cancel},
+                                {"normals_that_cancel", normals_that_cancel},
                                 {"normals_of_flat_tetrahedra", normals_of_flat_tetrahedra},
-    {"normals_beside_flat_triangle", normals_beside_flat_triangle},
+                                {"normals_beside_flat_triangle", normals_beside_flat_triangle},
                                 {"normals_on_line", normals_on_line},
-    {"normals_scaled", normals_scaled},
+                                {"normals_scaled", normals_scaled},
                                 {"fields_of_polynomials", fields_of_polynomials},
                                 {"fields_refused", fields_refused},
                                 {"report_counts", report_counts},
                                 {"report_of_one", report_of_one},
-    {"report_of_faults", report_of_faults},
+                                {"report_of_faults", report_of_faults},
                                 {"report_of_garbage", report_of_garbage},
                                 {"report_measures", report_measures},
                                 {"net_of_normal", net_of_normal},
-    {"folds", folds},
+                                {"folds", folds},
                                 {NULL, NULL}};
