@@ -1073,6 +1073,20 @@ static void jump_from_both_ends(void)
     }
 }
 
+/* What stands in the arrays before does not matter: three fans of one corner, three normals. */
+static void normals_into_used_room(void)
+{
+    static const n3_real point[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    static const int triangle[3] = {0, 1, 2};
+    n3_mesh m = {3, 1, 0, &point[0][0], 0, triangle, 0, NULL, 0, NULL, 0};
+    n3_topology t;
+    n3_vec normal[3];
+    int work[32], corner[3] = {2147483647, 2147483647, 2147483647}, normals = 0;
+    CHECK(n3_mesh_topology(&m, work, sizeof work, &t, NULL) == N3_OK, 0);
+    CHECK(n3_mesh_normals(&m, &t, -1, NULL, normal, corner, &normals, NULL) == N3_OK, 0);
+    CHECK(normals == 3 && corner[0] == 0 && corner[1] == 1 && corner[2] == 2, normals);
+}
+
 /* A thin triangle that looks down does not fold: nothing but the patch decides. */
 static void thin_patch_does_not_fold(void)
 {
@@ -1085,6 +1099,7 @@ static void thin_patch_does_not_fold(void)
 const test_case tests_mesh[] = {{"unused_points_refined", unused_points_refined},
                                 {"jump_from_both_ends", jump_from_both_ends},
                                 {"thin_patch_does_not_fold", thin_patch_does_not_fold},
+                                {"normals_into_used_room", normals_into_used_room},
                                 {"topology_of_soup", topology_of_soup},
                                 {"status_of_faults", status_of_faults},
                                 {"status_of_topology", status_of_topology},
