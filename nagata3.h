@@ -129,6 +129,9 @@
  *
  *     NAGATA3_FLOAT    n3_real is float. Both precisions can live in one program, in different
  *                      translation units.
+ *     NAGATA3_SIMD     0 keeps the calls on many patches to plain C. Else they use the vectors of
+ *                      GCC and Clang, 16 bytes or with AVX 32, where the machine has any; the
+ *                      results have the same bits.
  *     NAGATA3_API      what stands before every function, static inline by default; for CUDA
  *                      static inline __host__ __device__.
  *
@@ -158,6 +161,11 @@
 #endif
 #ifndef NAGATA3_API
 #define NAGATA3_API static inline
+#endif
+#if !defined NAGATA3_SIMD && defined __has_builtin && !defined __CUDACC__
+#if __has_builtin(__builtin_shufflevector) && (defined __SSE2__ || defined __aarch64__)
+#define NAGATA3_SIMD 1
+#endif
 #endif
 #if defined __cplusplus && __cplusplus >= 201103L /* a name of its own per precision, for linkers */
 inline namespace N3I_PICK(nagata3_double, nagata3_float) {
@@ -1087,6 +1095,14 @@ NAGATA3_API int n3_mesh_nodes(const n3_mesh *m, const n3_topology *t);
 NAGATA3_API n3_status n3_mesh_net(const n3_mesh *m, const n3_topology *t, const n3_options *o,
                                   n3_vec *net, unsigned *flags, int *item);
 
+/* Its parts, for callers that share the work out: the control points of the edges and the centres
+   of the triangles first up to but not with last, into their places in net, of which a centre
+   reads the edges and corners. Nothing is checked; n3_mesh_net says what is. */
+NAGATA3_API void n3_mesh_edges(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+                               int first, int last, n3_vec *net, unsigned *flags);
+NAGATA3_API void n3_mesh_centres(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+                                 int first, int last, n3_vec *net);
+
 /* The nodes of a triangle's patch, in the order of n3_patch.p. A side without an edge repeats its
    point. */
 NAGATA3_API void n3_mesh_patch_nodes(const n3_mesh *m, const n3_topology *t, int triangle,
@@ -1221,6 +1237,15 @@ NAGATA3_API int n3i_index_at(const int *base, size_t stride, int triangle, int c
     return index;
 }
 
+/* The same for c = 3 triangle + corner, without a division where the array is packed. */
+NAGATA3_API int n3i_index_of(const int *base, size_t stride, int c)
+{
+    int index;
+    if (stride) return n3i_index_at(base, stride, c / 3, c % 3);
+    memcpy(&index, (const char *)base + (size_t)c * sizeof index, sizeof index);
+    return index;
+}
+
 NAGATA3_API n3_vec n3i_point(const n3_mesh *m, int i)
 {
     return n3i_vec_at(m->point, m->point_stride, i);
@@ -1229,7 +1254,7 @@ NAGATA3_API n3_vec n3i_point(const n3_mesh *m, int i)
 /* The point at corner c = 3 f + i of triangle f, and at the corner after it. */
 NAGATA3_API int n3i_at(const n3_mesh *m, int c)
 {
-    return n3i_index_at(m->triangle, m->triangle_stride, c / 3, c % 3);
+    return n3i_index_of(m->triangle, m->triangle_stride, c);
 }
 
 NAGATA3_API int n3i_after(int c) { return c % 3 == 2 ? c - 2 : c + 1; }
@@ -1246,7 +1271,7 @@ NAGATA3_API int n3i_normal_at(const n3_mesh *m, int c)
 {
     if (!m->normal) return -1;
     if (!m->corner) return n3i_at(m, c);
-    return n3i_index_at(m->corner, m->corner_stride, c / 3, c % 3);
+    return n3i_index_of(m->corner, m->corner_stride, c);
 }
 
 /* Made unit, unless it is so to rounding: then it keeps its bits. */
@@ -1255,12 +1280,16 @@ NAGATA3_API n3_vec n3i_made_unit(n3_vec n)
     return n3i_abs(n3_dot(n, n) - 1) <= 8 * N3_EPS ? n : n3_unit(n);
 }
 
-/* The unit normal of a corner, zero where it has none. */
-NAGATA3_API n3_vec n3i_corner_normal(const n3_mesh *m, int c)
+/* The unit normal of that name, zero where there is none. */
+NAGATA3_API n3_vec n3i_normal_named(const n3_mesh *m, int i)
 {
-    int i = n3i_normal_at(m, c);
     if (i < 0) return n3_v(0, 0, 0);
     return n3i_made_unit(n3i_vec_at(m->normal, m->normal_stride, i));
+}
+
+NAGATA3_API n3_vec n3i_corner_normal(const n3_mesh *m, int c)
+{
+    return n3i_normal_named(m, n3i_normal_at(m, c));
 }
 
 NAGATA3_API int n3i_is_finite(n3_vec a)
@@ -1700,6 +1729,296 @@ NAGATA3_API n3_status n3_mesh_normals(const n3_mesh *m, const n3_topology *t, n3
     return N3_OK;
 }
 
+/* ---- Definitions: several at once ----
+
+   A wide number holds one number from each of N3I_WIDTH patches or edges, its lanes: in a vector of
+   GCC and Clang, or in n3_real where there is none. Wide forms do the operations of the plain ones
+   in the same order and round alike. A lane that the plain form would treat as a case of its own is
+   not ok, and the plain form does it again. */
+
+#if NAGATA3_SIMD
+#ifdef __AVX__
+#define N3I_BYTES 32
+#else
+#define N3I_BYTES 16
+#endif
+#define N3I_WIDE_API NAGATA3_API __attribute__((always_inline))
+#define N3I_UNROLL   _Pragma("GCC unroll 8")
+typedef n3_real n3i_wide __attribute__((vector_size(N3I_BYTES)));
+__extension__ typedef N3I_PICK(long long, int) n3i_mask __attribute__((vector_size(N3I_BYTES)));
+#else
+#define N3I_WIDE_API NAGATA3_API
+#define N3I_UNROLL
+typedef n3_real n3i_wide;
+typedef int n3i_mask;
+#endif
+
+enum { N3I_WIDTH = sizeof(n3i_wide) / sizeof(n3_real) };
+
+typedef struct n3i_wide_vec { n3i_wide x, y, z; } n3i_wide_vec;
+
+#if NAGATA3_SIMD
+N3I_WIDE_API n3i_wide n3i_wide_of(n3_real a)
+{
+    n3i_wide zero = {0};
+    return a - zero;
+}
+
+N3I_WIDE_API n3i_wide n3i_pick(n3i_mask mask, n3i_wide a, n3i_wide b)
+{
+    return (n3i_wide)((mask & (n3i_mask)a) | (~mask & (n3i_mask)b));
+}
+
+N3I_WIDE_API int n3i_lane(n3i_mask mask, int lane) { return mask[lane] != 0; }
+
+#if __has_builtin(__builtin_elementwise_sqrt)
+#define N3I_SQRT __builtin_elementwise_sqrt
+#elif defined __AVX__
+#define N3I_SQRT N3I_PICK(__builtin_ia32_sqrtpd256, __builtin_ia32_sqrtps256)
+#elif defined __SSE2__
+#define N3I_SQRT N3I_PICK(__builtin_ia32_sqrtpd, __builtin_ia32_sqrtps)
+#endif
+
+N3I_WIDE_API n3i_wide n3i_wide_sqrt(n3i_wide a)
+{
+#ifdef N3I_SQRT
+    return N3I_SQRT(a);
+#else
+    int i;
+    for (i = 0; i < N3I_WIDTH; i++) a[i] = n3i_sqrt(a[i]);
+    return a;
+#endif
+}
+
+/* One step of turning rows into columns: blocks of step numbers off the diagonal change places. */
+N3I_WIDE_API void n3i_exchange(n3i_wide *a, n3i_wide *b, int step)
+{
+    n3i_wide p = *a, q = *b;
+#if N3I_BYTES == N3I_PICK(16, 8)
+    if (step == 1) *a = __builtin_shufflevector(p, q, 0, 2);
+    if (step == 1) *b = __builtin_shufflevector(p, q, 1, 3);
+#elif N3I_BYTES == N3I_PICK(32, 16)
+    if (step == 1) *a = __builtin_shufflevector(p, q, 0, 4, 2, 6);
+    if (step == 1) *b = __builtin_shufflevector(p, q, 1, 5, 3, 7);
+    if (step == 2) *a = __builtin_shufflevector(p, q, 0, 1, 4, 5);
+    if (step == 2) *b = __builtin_shufflevector(p, q, 2, 3, 6, 7);
+#else
+    if (step == 1) *a = __builtin_shufflevector(p, q, 0, 8, 2, 10, 4, 12, 6, 14);
+    if (step == 1) *b = __builtin_shufflevector(p, q, 1, 9, 3, 11, 5, 13, 7, 15);
+    if (step == 2) *a = __builtin_shufflevector(p, q, 0, 1, 8, 9, 4, 5, 12, 13);
+    if (step == 2) *b = __builtin_shufflevector(p, q, 2, 3, 10, 11, 6, 7, 14, 15);
+    if (step == 4) *a = __builtin_shufflevector(p, q, 0, 1, 2, 3, 8, 9, 10, 11);
+    if (step == 4) *b = __builtin_shufflevector(p, q, 4, 5, 6, 7, 12, 13, 14, 15);
+#endif
+}
+
+/* Rows into columns, by halving. */
+N3I_WIDE_API void n3i_turn(n3i_wide row[N3I_WIDTH])
+{
+    int i, step;
+    N3I_UNROLL
+    for (step = 1; step < N3I_WIDTH; step *= 2)
+        N3I_UNROLL
+        for (i = 0; i < N3I_WIDTH; i++)
+            if (!(i & step)) n3i_exchange(&row[i], &row[i + step], step);
+}
+#else
+N3I_WIDE_API n3i_wide n3i_wide_of(n3_real a) { return a; }
+N3I_WIDE_API n3i_wide n3i_pick(n3i_mask mask, n3i_wide a, n3i_wide b) { return mask ? a : b; }
+N3I_WIDE_API int n3i_lane(n3i_mask mask, int lane) { return lane == 0 && mask; }
+N3I_WIDE_API n3i_wide n3i_wide_sqrt(n3i_wide a) { return n3i_sqrt(a); }
+N3I_WIDE_API void n3i_turn(n3i_wide row[N3I_WIDTH]) { (void)row; }
+#endif
+
+/* The first count numbers of every lane; count is at least N3I_WIDTH. */
+N3I_WIDE_API void n3i_load(const n3_real *const from[N3I_WIDTH], int count, n3i_wide *to)
+{
+    n3i_wide row[N3I_WIDTH];
+    int i, k, at;
+    for (k = 0; k < count; k += N3I_WIDTH) {
+        at = k + N3I_WIDTH > count ? count - N3I_WIDTH : k;
+        N3I_UNROLL
+        for (i = 0; i < N3I_WIDTH; i++) memcpy(&row[i], from[i] + at, sizeof row[i]);
+        n3i_turn(row);
+        N3I_UNROLL
+        for (i = 0; i < N3I_WIDTH; i++) to[at + i] = row[i];
+    }
+}
+
+/* The reverse, for any count. */
+N3I_WIDE_API void n3i_store(const n3i_wide *from, int count, n3_real *const to[N3I_WIDTH])
+{
+    n3i_wide row[N3I_WIDTH];
+    int i, k;
+    for (k = 0; k + N3I_WIDTH <= count; k += N3I_WIDTH) {
+        N3I_UNROLL
+        for (i = 0; i < N3I_WIDTH; i++) row[i] = from[k + i];
+        n3i_turn(row);
+        N3I_UNROLL
+        for (i = 0; i < N3I_WIDTH; i++) memcpy(to[i] + k, &row[i], sizeof row[i]);
+    }
+    for (; k < count; k++)
+        for (i = 0; i < N3I_WIDTH; i++)
+            memcpy(to[i] + k, (const char *)&from[k] + (size_t)i * sizeof **to, sizeof **to);
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_v(n3i_wide x, n3i_wide y, n3i_wide z)
+{
+    n3i_wide_vec a;
+    a.x = x;
+    a.y = y;
+    a.z = z;
+    return a;
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_add(n3i_wide_vec a, n3i_wide_vec b)
+{
+    return n3i_wide_v(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_sub(n3i_wide_vec a, n3i_wide_vec b)
+{
+    return n3i_wide_v(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_mul(n3i_wide s, n3i_wide_vec a)
+{
+    return n3i_wide_v(s * a.x, s * a.y, s * a.z);
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_over(n3i_wide_vec a, n3i_wide s)
+{
+    return n3i_wide_v(a.x / s, a.y / s, a.z / s);
+}
+
+N3I_WIDE_API n3i_wide n3i_wide_dot(n3i_wide_vec a, n3i_wide_vec b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_cross(n3i_wide_vec a, n3i_wide_vec b)
+{
+    return n3i_wide_v(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_pick(n3i_mask mask, n3i_wide_vec a, n3i_wide_vec b)
+{
+    return n3i_wide_v(n3i_pick(mask, a.x, b.x), n3i_pick(mask, a.y, b.y),
+                      n3i_pick(mask, a.z, b.z));
+}
+
+N3I_WIDE_API n3i_wide n3i_wide_abs(n3i_wide a) { return n3i_pick((n3i_mask)(a < 0), -a, a); }
+
+N3I_WIDE_API n3i_wide n3i_wide_larger(n3i_wide a, n3i_wide b)
+{
+    return n3i_pick((n3i_mask)(b > a), b, a);
+}
+
+N3I_WIDE_API n3i_wide n3i_wide_largest(n3i_wide_vec a)
+{
+    return n3i_wide_larger(n3i_wide_larger(n3i_wide_abs(a.x), n3i_wide_abs(a.y)),
+                           n3i_wide_abs(a.z));
+}
+
+/* n3_unit and n3_len of a lane that has a length; the others are not ok. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_unit(n3i_wide_vec a, n3i_wide *length, n3i_mask *ok)
+{
+    n3i_wide s = n3i_wide_largest(a), r;
+    n3i_mask some = (n3i_mask)(s > 0);
+    *ok &= some;
+    s = n3i_pick(some, s, n3i_wide_of(1));
+    a = n3i_wide_over(a, s);
+    r = n3i_wide_sqrt(n3i_wide_dot(a, a));
+    *length = s * r;
+    return n3i_wide_over(a, n3i_pick(some, r, n3i_wide_of(1)));
+}
+
+/* n3i_upright of a lane whose n is neither zero nor along e. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_upright(n3i_wide_vec e, n3i_wide_vec n, n3i_mask *ok)
+{
+    n3i_wide_vec m = n3i_wide_cross(e, n);
+    n3i_wide length;
+    *ok &= (n3i_mask)(n3i_wide_dot(m, m) > N3_ALONG * N3_ALONG);
+    return n3i_wide_unit(m, &length, ok);
+}
+
+/* ---- Definitions: edges at once ---- */
+
+typedef struct n3i_wide_vertex { n3i_wide_vec x, n; } n3i_wide_vertex;
+typedef struct n3i_wide_end { n3i_wide cos, sin, tan; } n3i_wide_end;
+
+/* n3i_end_make. */
+N3I_WIDE_API n3i_wide_end n3i_wide_end_make(n3i_wide_vec n, n3i_wide_vec e, n3i_wide_vec b,
+                                            const n3_options *o)
+{
+    n3i_wide ne = n3i_wide_dot(n, e), nb = n3i_wide_dot(n, b);
+    n3i_wide h = n3i_wide_sqrt(ne * ne + nb * nb), size = n3i_wide_abs(nb);
+    n3i_mask below = (n3i_mask)(n3i_wide_abs(ne) < o->tan_hi * size);
+    n3i_wide_end t;
+    t.tan = n3i_wide_abs(ne / n3i_pick(below, nb, n3i_wide_of(1)));
+    t.tan = n3i_pick(below, t.tan, n3i_wide_of(o->tan_hi));                        /* (5.1.12) */
+    t.tan = n3i_wide_larger(t.tan, n3i_wide_of(o->tan_lo));                        /* (5.1.11) */
+    h = n3i_pick((n3i_mask)(h > 0), h, n3i_wide_of(1));
+    t.cos = size / h;
+    t.sin = n3i_pick((n3i_mask)(nb < 0), ne, -ne) / h;
+    return t;
+}
+
+/* n3i_handle; third is 2 L / 3. */
+N3I_WIDE_API n3i_wide n3i_wide_handle(n3i_wide_end here, n3i_wide_end other, n3i_wide third)
+{
+    n3i_wide ratio = other.tan / (here.tan + other.tan);
+    n3i_mask flat = (n3i_mask)(here.cos >= (n3_real)1 / 2);
+    n3i_wide slope = n3i_pick(flat, here.cos, n3i_wide_of(1));
+    return n3i_pick(flat, ratio / slope * third, ratio * (2 * third));
+}
+
+/* n3i_edge_paper. */
+N3I_WIDE_API n3i_mask n3i_wide_edge_paper(n3i_wide_vertex v0, n3i_wide_vertex v1,
+                                          const n3_options *o, n3i_wide_vec p[2])
+{
+    n3i_wide L, length;
+    n3i_mask ok = (n3i_mask)(v0.x.x <= v1.x.x);
+    n3i_wide_vec e = n3i_wide_unit(n3i_wide_sub(v1.x, v0.x), &L, &ok);
+    n3i_wide_vec m0 = n3i_wide_upright(e, v0.n, &ok), m1 = n3i_wide_upright(e, v1.n, &ok);
+    n3i_mask acute = (n3i_mask)(n3i_wide_dot(m0, m1) >= 0);
+    n3i_wide_vec m = n3i_wide_pick(acute, n3i_wide_add(m0, m1), n3i_wide_sub(m0, m1));
+    n3i_wide_vec b = n3i_wide_cross(n3i_wide_unit(m, &length, &ok), e);
+    n3i_wide_end s = n3i_wide_end_make(v0.n, e, b, o), t = n3i_wide_end_make(v1.n, e, b, o);
+    n3i_wide ds = n3i_wide_handle(s, t, 2 * L / 3), de = n3i_wide_handle(t, s, 2 * L / 3);
+    n3i_wide_vec ts = n3i_wide_add(n3i_wide_mul(s.cos, e), n3i_wide_mul(s.sin, b));
+    n3i_wide_vec te = n3i_wide_add(n3i_wide_mul(t.cos, e), n3i_wide_mul(t.sin, b));
+    p[0] = n3i_wide_add(v0.x, n3i_wide_mul(ds, ts));                               /* (5.1.13) */
+    p[1] = n3i_wide_sub(v1.x, n3i_wide_mul(de, te));                               /* (5.1.14) */
+    return ok;
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_off(n3i_wide_vec a, n3i_wide_vec n)
+{
+    return n3i_wide_sub(a, n3i_wide_mul(n3i_wide_dot(a, n), n));
+}
+
+/* n3i_edge_arc. */
+N3I_WIDE_API n3i_mask n3i_wide_edge_arc(n3i_wide_vertex v0, n3i_wide_vertex v1, n3i_wide_vec p[2])
+{
+    n3i_wide_vec d = n3i_wide_sub(v1.x, v0.x), e, m, q, turn = n3i_wide_sub(v1.n, v0.n);
+    n3i_wide g = n3i_wide_dot(d, turn), k, length;
+    n3i_mask ok = (n3i_mask)(v0.x.x <= v1.x.x);
+    e = n3i_wide_unit(d, &length, &ok);
+    n3i_wide_upright(e, v0.n, &ok);
+    n3i_wide_upright(e, v1.n, &ok);
+    m = n3i_wide_unit(n3i_wide_add(v0.n, v1.n), &length, &ok);
+    ok &= (n3i_mask)(length > N3_OPPOSITE);
+    k = 1 / (1 + length / 2);
+    q = n3i_wide_sub(n3i_wide_off(d, m), n3i_wide_mul(g * k * k / 4, turn));
+    m = n3i_wide_mul(g * k, m);
+    d = n3i_wide_over(n3i_wide_add(q, m), n3i_wide_of(3));
+    e = n3i_wide_over(n3i_wide_sub(q, m), n3i_wide_of(3));
+    p[0] = n3i_wide_add(v0.x, n3i_wide_off(d, v0.n));
+    p[1] = n3i_wide_sub(v1.x, n3i_wide_off(e, v1.n));
+    return ok;
+}
+
 /* ---- Definitions: the net ---- */
 
 /* What the triangles bring to one end of an edge. n: the one normal, or the unit sum of all;
@@ -1785,16 +2104,37 @@ NAGATA3_API n3i_joint n3i_joint_make(const n3i_pair *list, int count, int end, n
     n3i_joint joint;
     int i, k, kept = 0;
     n[0] = sum;
+    memset(&joint, 0, sizeof joint);
     for (i = 0; i < count; i++) {
         n3_vec a = list[i].n[end];
         for (k = 0; k < kept && n3i_order(n[k], a) != 0; k++) continue;
         if (k == kept && !n3i_is_zero(a)) n[kept++] = a;
     }
-    joint = n3i_joint_of_pairs(n, kept, e);
+    if (kept > 1) joint = n3i_joint_of_pairs(n, kept, e);
     for (i = 0; i < kept; i++)
         sum = n3_add(sum, !joint.split && n3_dot(n[i], n[0]) < 0 ? n3i_neg(n[i]) : n[i]);
     if (n3_len(sum) > N3_OPPOSITE) joint.n = kept == 1 ? n[0] : n3_unit(sum);
     return joint;
+}
+
+/* The one pair that all triangles of an edge name; false if they differ. */
+NAGATA3_API int n3i_common_pair(const n3_mesh *m, const n3_topology *t, int edge, int from,
+                                n3i_pair *p)
+{
+    int i, k, name[2] = {-1, -1}, s = t->side[t->first[edge]];
+    for (i = t->first[edge]; i < t->first[edge + 1]; i++) {
+        int at[2], back;
+        s = t->side[i];
+        back = n3i_at(m, s) != from;
+        at[back] = n3i_normal_at(m, s);
+        at[!back] = n3i_normal_at(m, n3i_after(s));
+        for (k = 0; k < 2; k++) {
+            if (i > t->first[edge] && at[k] != name[k]) return 0;
+            name[k] = at[k];
+        }
+    }
+    for (k = 0; k < 2; k++) p->n[k] = n3i_normal_named(m, name[k]);
+    return 1;
 }
 
 /* An edge of the mesh with its ends in canonical order, by place, then by number. */
@@ -1804,8 +2144,8 @@ NAGATA3_API n3i_seam n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edg
 {
     n3i_seam seam;
     n3i_pair list[N3I_PAIRS];
-    n3_vec e;
-    int i, count;
+    n3_vec e = n3_v(0, 0, 0);
+    int i, count = 1;
     n3_mesh_edge_ends(m, t, edge, seam.point);
     if (n3i_order(n3i_point(m, seam.point[0]), n3i_point(m, seam.point[1])) > 0) {
         i = seam.point[0];
@@ -1813,8 +2153,10 @@ NAGATA3_API n3i_seam n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edg
         seam.point[1] = i;
     }
     for (i = 0; i < 2; i++) seam.end[i].x = n3i_point(m, seam.point[i]);
-    e = n3_unit(n3_sub(seam.end[1].x, seam.end[0].x));
-    count = n3i_collect(m, t, edge, seam.point[0], list);
+    if (!n3i_common_pair(m, t, edge, seam.point[0], list)) {
+        e = n3_unit(n3_sub(seam.end[1].x, seam.end[0].x));
+        count = n3i_collect(m, t, edge, seam.point[0], list);
+    }
     for (i = 0; i < 2; i++) {
         seam.joint[i] = n3i_joint_make(list, count, i, e);
         seam.end[i].n = seam.joint[i].n;
@@ -2017,6 +2359,63 @@ NAGATA3_API n3_vec n3i_mesh_centre(const n3_mesh *m, const n3_topology *t, const
     return n3_patch_centre_arc(&e[0], &e[1], &e[2], n, mid);
 }
 
+/* The two inner control points of seams. The wide form writes eight numbers of each. */
+NAGATA3_API void n3i_seam_points(const n3i_seam seam[N3I_WIDTH], const n3_options *given,
+                                 n3_vec out[N3I_WIDTH][3])
+{
+    const n3_real *from[N3I_WIDTH];
+    n3_real *to[N3I_WIDTH];
+    n3_options o = n3i_defaults(given);
+    n3i_wide_vertex v[2];
+    n3i_wide_vec p[3];
+    n3i_mask ok;
+    int i;
+    for (i = 0; i < N3I_WIDTH; i++) from[i] = &seam[i].end[0].x.x;
+    for (i = 0; i < N3I_WIDTH; i++) to[i] = &out[i][0].x;
+    n3i_load(from, 12, &v[0].x.x);
+    ok = n3i_is_arc(&o) ? n3i_wide_edge_arc(v[0], v[1], p) : n3i_wide_edge_paper(v[0], v[1], &o, p);
+    p[2] = p[0];
+    n3i_store(&p[0].x, 8, to);
+    for (i = 0; i < N3I_WIDTH; i++) {
+        n3_edge e;
+        if (n3i_lane(ok, i) && !(seam[i].joint[0].share > 0) && !(seam[i].joint[1].share > 0))
+            continue;
+        e = n3i_seam_edge(&seam[i], given);
+        out[i][0] = e.p[1];
+        out[i][1] = e.p[2];
+    }
+}
+
+NAGATA3_API void n3_mesh_edges(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+                               int first, int last, n3_vec *net, unsigned *flags)
+{
+    n3i_seam seam[N3I_WIDTH];
+    n3_vec p[N3I_WIDTH][3];
+    int i, edge;
+    for (; first < last; first += N3I_WIDTH) {
+        int count = last - first < N3I_WIDTH ? last - first : N3I_WIDTH;
+        for (i = 0; i < N3I_WIDTH; i++)
+            seam[i] = i < count ? n3i_seam_of(m, t, first + i) : seam[0];
+        n3i_seam_points(seam, o, p);
+        for (i = 0, edge = first; i < count; i++, edge++) {
+            int back = seam[i].point[0] > seam[i].point[1];
+            net[m->points + 2 * edge + back] = p[i][0];
+            net[m->points + 2 * edge + !back] = p[i][1];
+            if (flags) flags[edge] = n3i_seam_flags(&seam[i], o) | n3i_face_flags(m, t, edge);
+        }
+    }
+}
+
+NAGATA3_API void n3_mesh_centres(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+                                 int first, int last, n3_vec *net)
+{
+    n3_vec *centre = net + m->points + 2 * t->edges;
+    for (; first < last; first++) {
+        centre[first] = n3_v(0, 0, 0);
+        centre[first] = n3i_mesh_centre(m, t, o, net, first);
+    }
+}
+
 NAGATA3_API int n3_mesh_nodes(const n3_mesh *m, const n3_topology *t)
 {
     int inner = n3i_count_add(n3i_count_mul(2, t->edges), m->triangles);
@@ -2034,19 +2433,8 @@ NAGATA3_API n3_status n3_mesh_net(const n3_mesh *m, const n3_topology *t, const 
     if (nodes < m->points) return n3i_blame(N3_BAD_COUNT, -1, item);
     if (nodes > 0 && !net) return n3i_blame(N3_NULL_POINTER, -1, item);
     for (i = 0; i < m->points; i++) net[i] = n3i_point(m, i);
-    for (i = 0; i < t->edges; i++) {
-        n3i_seam seam = n3i_seam_of(m, t, i);
-        n3_edge c = n3i_seam_edge(&seam, o);
-        int back = seam.point[0] > seam.point[1];
-        net[m->points + 2 * i + back] = c.p[1];
-        net[m->points + 2 * i + !back] = c.p[2];
-        if (flags) flags[i] = n3i_seam_flags(&seam, o) | n3i_face_flags(m, t, i);
-    }
-    for (i = 0; i < m->triangles; i++) {
-        n3_vec *centre = net + m->points + 2 * t->edges + i;
-        *centre = n3_v(0, 0, 0);
-        *centre = n3i_mesh_centre(m, t, o, net, i);
-    }
+    n3_mesh_edges(m, t, o, 0, t->edges, net, flags);
+    n3_mesh_centres(m, t, o, 0, m->triangles, net);
     return N3_OK;
 }
 
