@@ -1809,6 +1809,11 @@ N3I_WIDE_API n3i_wide n3i_pick(n3i_mask mask, n3i_wide a, n3i_wide b)
     return (n3i_wide)((mask & (n3i_mask)a) | (~mask & (n3i_mask)b));
 }
 
+N3I_WIDE_API n3i_wide n3i_wide_abs(n3i_wide a)
+{
+    return (n3i_wide)((n3i_mask)a & ~(n3i_mask)n3i_wide_of(-(n3_real)0));
+}
+
 N3I_WIDE_API int n3i_lane(n3i_mask mask, int lane) { return mask[lane] != 0; }
 
 #if __has_builtin(__builtin_elementwise_sqrt)
@@ -1865,6 +1870,7 @@ N3I_WIDE_API void n3i_turn(n3i_wide row[N3I_WIDTH])
 #else
 N3I_WIDE_API n3i_wide n3i_wide_of(n3_real a) { return a; }
 N3I_WIDE_API n3i_wide n3i_pick(n3i_mask mask, n3i_wide a, n3i_wide b) { return mask ? a : b; }
+N3I_WIDE_API n3i_wide n3i_wide_abs(n3i_wide a) { return n3i_abs(a); }
 N3I_WIDE_API int n3i_lane(n3i_mask mask, int lane) { return lane == 0 && mask; }
 N3I_WIDE_API n3i_wide n3i_wide_sqrt(n3i_wide a) { return n3i_sqrt(a); }
 N3I_WIDE_API void n3i_turn(n3i_wide row[N3I_WIDTH]) { (void)row; }
@@ -1946,8 +1952,6 @@ N3I_WIDE_API n3i_wide_vec n3i_wide_pick(n3i_mask mask, n3i_wide_vec a, n3i_wide_
     return n3i_wide_v(n3i_pick(mask, a.x, b.x), n3i_pick(mask, a.y, b.y),
                       n3i_pick(mask, a.z, b.z));
 }
-
-N3I_WIDE_API n3i_wide n3i_wide_abs(n3i_wide a) { return n3i_pick((n3i_mask)(a < 0), -a, a); }
 
 N3I_WIDE_API n3i_wide n3i_wide_larger(n3i_wide a, n3i_wide b)
 {
@@ -2526,22 +2530,24 @@ NAGATA3_API void n3i_lattice_uv(int level, int i, int j, n3_real *u, n3_real *v)
 
 /* Numbers on their way to memory, a row for each lane. */
 enum { N3I_HELD = 96 };
-typedef struct n3i_sink { n3_real *to[N3I_WIDTH]; n3i_wide held[N3I_HELD]; int count; } n3i_sink;
+typedef struct n3i_sink { n3_real *to[N3I_WIDTH]; n3i_wide held[N3I_HELD]; } n3i_sink;
 
-N3I_WIDE_API void n3i_sink_flush(n3i_sink *s)
+/* Empties the sink, filled up to end; returns where to go on. */
+N3I_WIDE_API n3i_wide *n3i_flush(n3i_sink *s, const n3i_wide *end)
 {
-    int i;
-    n3i_store(s->held, s->count, s->to);
-    for (i = 0; i < N3I_WIDTH; i++) s->to[i] += s->count;
-    s->count = 0;
+    int i, count = (int)(end - s->held);
+    n3i_store(s->held, count, s->to);
+    for (i = 0; i < N3I_WIDTH; i++) s->to[i] += count;
+    return s->held;
 }
 
-N3I_WIDE_API void n3i_sink_put(n3i_sink *s, n3i_wide_vec x)
+N3I_WIDE_API n3i_wide *n3i_put(n3i_sink *s, n3i_wide *at, n3i_wide_vec x)
 {
-    if (s->count == N3I_HELD) n3i_sink_flush(s);
-    s->held[s->count++] = x.x;
-    s->held[s->count++] = x.y;
-    s->held[s->count++] = x.z;
+    at[0] = x.x;
+    at[1] = x.y;
+    at[2] = x.z;
+    at += 3;
+    return at == s->held + N3I_HELD ? n3i_flush(s, at) : at;
 }
 
 /* s a + b, a step of Horner's. */
@@ -2550,41 +2556,46 @@ N3I_WIDE_API n3i_wide_vec n3i_wide_step(n3i_wide_vec a, n3i_wide s, n3i_wide_vec
     return n3i_wide_v(s * a.x + b.x, s * a.y + b.y, s * a.z + b.z);
 }
 
-/* A side with its control points from the canonical end; order is n3i_edge_order as it runs. */
-typedef struct n3i_wide_side { n3i_wide_vec p[4]; n3i_wide order; } n3i_wide_side;
-
-/* n3i_order, or where it is 0, equal. */
-N3I_WIDE_API n3i_wide n3i_wide_order(n3i_wide_vec a, n3i_wide_vec b, n3i_wide equal)
+/* The point at i / level of an edge, from its canonical end or, where there is none, the nearer. */
+NAGATA3_API n3_vec n3i_side_point(n3_edge e, int i, int level)
 {
-    n3i_wide less = n3i_wide_of(-1), more = n3i_wide_of(1);
-    equal = n3i_pick((n3i_mask)(a.z < b.z), less, n3i_pick((n3i_mask)(a.z > b.z), more, equal));
-    equal = n3i_pick((n3i_mask)(a.y < b.y), less, n3i_pick((n3i_mask)(a.y > b.y), more, equal));
-    return n3i_pick((n3i_mask)(a.x < b.x), less, n3i_pick((n3i_mask)(a.x > b.x), more, equal));
+    int order = n3i_edge_order(&e);
+    if (order ? order > 0 : 2 * i > level) {
+        e = n3_edge_reverse(&e);
+        i = level - i;
+    }
+    return n3_edge_point(&e, (n3_real)i / (n3_real)level);
 }
 
+/* A side with its control points from the canonical end, and the steps from there to a point. */
+typedef struct n3i_wide_side { n3i_wide_vec p[4]; n3i_wide at, step; } n3i_wide_side;
+
+/* A side whose ends are in two places; others are not ok. */
 N3I_WIDE_API n3i_wide_side n3i_wide_side_of(n3i_wide_vec p0, n3i_wide_vec p1, n3i_wide_vec p2,
-                                            n3i_wide_vec p3)
+                                            n3i_wide_vec p3, int level, n3i_mask *ok)
 {
+    n3i_wide_vec d = n3i_wide_sub(p3, p0);
+    n3i_wide way = n3i_pick((n3i_mask)(d.y < 0) | (n3i_mask)(d.y > 0), d.y, d.z);
     n3i_wide_side s;
     n3i_mask back;
-    s.order = n3i_wide_order(p0, p3, n3i_wide_order(p1, p2, n3i_wide_of(0)));
-    back = (n3i_mask)(s.order > 0);
+    way = n3i_pick((n3i_mask)(d.x < 0) | (n3i_mask)(d.x > 0), d.x, way);
+    back = (n3i_mask)(way < 0); /* n3i_order(p0, p3) > 0 */
+    *ok &= back | (n3i_mask)(way > 0);
     s.p[0] = n3i_wide_pick(back, p3, p0);
     s.p[1] = n3i_wide_pick(back, p2, p1);
     s.p[2] = n3i_wide_pick(back, p1, p2);
     s.p[3] = n3i_wide_pick(back, p0, p3);
+    s.at = n3i_pick(back, n3i_wide_of((n3_real)level), n3i_wide_of(0));
+    s.step = n3i_pick(back, n3i_wide_of(-1), n3i_wide_of(1));
     return s;
 }
 
-/* n3_edge_point at i / level of the way, counted from the canonical end or, where there is none,
-   from the nearer one. */
-N3I_WIDE_API n3i_wide_vec n3i_wide_side_point(const n3i_wide_side *side, int i, int level)
+/* n3i_side_point at the next place. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_side_next(n3i_wide_side *side, int level)
 {
-    n3_real n = (n3_real)level, limit = 2 * i > level ? -(n3_real)1 / 2 : (n3_real)1 / 2;
-    n3i_mask back = (n3i_mask)(side->order > limit);
-    n3i_wide r = n3i_pick(back, n3i_wide_of((n3_real)(level - i) / n), n3i_wide_of((n3_real)i / n));
-    n3i_wide s = 1 - r;
+    n3i_wide r = side->at / (n3_real)level, s = 1 - r;
     const n3i_wide_vec *p = side->p;
+    side->at += side->step;
     return n3i_wide_add(
         n3i_wide_add(n3i_wide_mul(s * s * s, p[0]), n3i_wide_mul(3 * s * s * r, p[1])),
         n3i_wide_add(n3i_wide_mul(3 * s * r * r, p[2]), n3i_wide_mul(r * r * r, p[3])));
@@ -2617,115 +2628,115 @@ N3I_WIDE_API void n3i_wide_powers(const n3i_wide_vec q[10], n3_real h, n3i_wide_
 /* The points of a lattice, or those inside it alone, in rows of constant v = j / level. Inside, and
    not on the sides, x = c0 + u (c1 + u (c2 + u c3)) with u in steps and coefficients that a row
    shares. */
-N3I_WIDE_API void n3i_wide_lattice(const n3_patch *const patch[N3I_WIDTH], int level, int inside,
-                                   n3i_sink *sink)
+N3I_WIDE_API n3i_mask n3i_wide_lattice(const n3i_wide_vec q[10], int level, int inside,
+                                       n3i_sink *sink)
 {
-    const n3_real *from[N3I_WIDTH];
-    n3i_wide_vec q[10], c[10], row[3];
-    n3i_wide_side ab, bc, ac;
+    n3i_wide one = n3i_wide_of(1), u, v = one, *at = sink->held;
+    n3i_wide_vec c[10], row[3], x;
+    n3i_mask ok = (n3i_mask)(one > 0);
+    n3i_wide_side ab = n3i_wide_side_of(q[0], q[3], q[4], q[1], level, &ok);
+    n3i_wide_side bc = n3i_wide_side_of(q[1], q[5], q[6], q[2], level, &ok);
+    n3i_wide_side ac = n3i_wide_side_of(q[0], q[8], q[7], q[2], level, &ok);
     int i, j;
-    for (i = 0; i < N3I_WIDTH; i++) from[i] = &patch[i]->p[0].x;
-    n3i_load(from, 30, &q[0].x);
     n3i_wide_powers(q, 1 / (n3_real)level, c);
-    if (!inside) {
-        ab = n3i_wide_side_of(q[0], q[3], q[4], q[1]);
-        bc = n3i_wide_side_of(q[1], q[5], q[6], q[2]);
-        ac = n3i_wide_side_of(q[0], q[8], q[7], q[2]);
-        for (i = 0; i <= level; i++) n3i_sink_put(sink, n3i_wide_side_point(&ab, i, level));
-    }
-    for (j = 1; j <= level; j++) {
-        n3i_wide v = n3i_wide_of((n3_real)j);
+    n3i_wide_side_next(&bc, level);
+    n3i_wide_side_next(&ac, level);
+    for (i = 0; !inside && i <= level; i++) at = n3i_put(sink, at, n3i_wide_side_next(&ab, level));
+    for (j = 1; j <= level; j++, v += one) {
         row[0] = n3i_wide_step(n3i_wide_step(n3i_wide_step(c[9], v, c[7]), v, c[4]), v, c[0]);
         row[1] = n3i_wide_step(n3i_wide_step(c[8], v, c[5]), v, c[1]);
         row[2] = n3i_wide_step(c[6], v, c[2]);
-        if (!inside) n3i_sink_put(sink, n3i_wide_side_point(&ac, j, level));
-        for (i = 1; i < level - j; i++) {
-            n3i_wide u = n3i_wide_of((n3_real)i);
-            n3i_wide_vec x = n3i_wide_step(n3i_wide_step(c[3], u, row[2]), u, row[1]);
-            n3i_sink_put(sink, n3i_wide_step(x, u, row[0]));
+        if (!inside) at = n3i_put(sink, at, n3i_wide_side_next(&ac, level));
+        for (i = 1, u = one; i < level - j; i++, u += one) {
+            x = n3i_wide_step(n3i_wide_step(c[3], u, row[2]), u, row[1]);
+            at = n3i_put(sink, at, n3i_wide_step(x, u, row[0]));
         }
-        if (!inside && j < level) n3i_sink_put(sink, n3i_wide_side_point(&bc, j, level));
+        if (!inside && j < level) at = n3i_put(sink, at, n3i_wide_side_next(&bc, level));
     }
-    n3i_sink_flush(sink);
-}
-
-/* Their normals, du x dv, where these are clear of each other. */
-#define N3I_CLEAR (N3I_PICK((n3_real)1 / 1048576, (n3_real)1 / 512))
-
-N3I_WIDE_API n3i_mask n3i_wide_normals(const n3_patch *const patch[N3I_WIDTH], int level,
-                                       n3i_sink *sink)
-{
-    const n3_real *from[N3I_WIDTH];
-    n3i_wide_vec q[10], c[10], du[2], dv[2];
-    n3i_wide size = n3i_wide_of(0);
-    n3_real h = 1 / (n3_real)level, clear = 2 * N3I_CLEAR * N3I_CLEAR * h * h;
-    n3i_mask ok;
-    int i, j;
-    for (i = 0; i < N3I_WIDTH; i++) from[i] = &patch[i]->p[0].x;
-    n3i_load(from, 30, &q[0].x);
-    n3i_wide_powers(q, h, c);
-    for (i = 1; i < 10; i++)
-        size = n3i_wide_larger(size, n3i_wide_largest(n3i_wide_sub(q[i], q[0])));
-    ok = (n3i_mask)(size > 0);
-    size = 1 / n3i_pick(ok, size, n3i_wide_of(1));
-    for (i = 1; i < 10; i++) c[i] = n3i_wide_mul(size, c[i]);
-    for (j = 0; j <= level; j++) {
-        n3i_wide v = n3i_wide_of((n3_real)j);
-        du[0] = n3i_wide_step(n3i_wide_step(c[8], v, c[5]), v, c[1]);
-        du[1] = n3i_wide_mul(n3i_wide_of(2), n3i_wide_step(c[6], v, c[2]));
-        dv[0] = n3i_wide_step(n3i_wide_step(c[9], 3 * v, n3i_wide_add(c[7], c[7])), v, c[4]);
-        dv[1] = n3i_wide_step(c[8], 2 * v, c[5]);
-        for (i = 0; i <= level - j; i++) {
-            n3i_wide u = n3i_wide_of((n3_real)i), nn, dd;
-            n3i_wide_vec s = n3i_wide_step(n3i_wide_step(c[3], 3 * u, du[1]), u, du[0]);
-            n3i_wide_vec t = n3i_wide_step(n3i_wide_step(c[6], u, dv[1]), u, dv[0]);
-            n3i_wide_vec n = n3i_wide_cross(s, t);
-            nn = n3i_wide_dot(n, n);
-            dd = n3i_wide_dot(s, s) + n3i_wide_dot(t, t);
-            ok &= (n3i_mask)(nn > clear * dd);
-            nn = n3i_wide_sqrt(n3i_pick(ok, nn, n3i_wide_of(1)));
-            n3i_sink_put(sink, n3i_wide_mul(1 / nn, n));
-        }
-    }
-    n3i_sink_flush(sink);
+    n3i_flush(sink, at);
     return ok;
 }
 
-/* What the wide form left out. */
-NAGATA3_API void n3i_plain_normals(const n3_patch *p, int level, n3_vec *normal)
+/* In a patch of size 1 a normal du x dv that is longer is made by the wide form: its direction has
+   half its digits (float: two thirds) at least. */
+#define N3I_CLEAR (N3I_PICK((n3_real)1 / 1048576, (n3_real)1 / 512))
+
+/* The normals of a lattice, in the same rows. */
+N3I_WIDE_API n3i_mask n3i_wide_normals(const n3i_wide_vec q[10], int level, n3i_sink *sink)
 {
+    n3i_wide_vec c[10], du[2], dv[2], s, t;
+    n3i_wide one = n3i_wide_of(1), size = n3i_wide_of(0), u, v = size, nn, *at = sink->held;
+    n3_real h = 1 / (n3_real)level, clear = N3I_CLEAR * h * h;
+    n3i_mask ok;
     int i, j;
+    n3i_wide_powers(q, h, c);
+    for (i = 1; i < 10; i++) {
+        s = n3i_wide_sub(q[i], q[0]);
+        size += n3i_wide_dot(s, s);
+    }
+    ok = (n3i_mask)(size > 0);
+    size = 1 / n3i_wide_sqrt(n3i_pick(ok, size, one));
+    for (i = 1; i < 10; i++) c[i] = n3i_wide_mul(size, c[i]);
+    for (j = 0; j <= level; j++, v += one) {
+        du[0] = n3i_wide_step(n3i_wide_step(c[8], v, c[5]), v, c[1]);
+        du[1] = n3i_wide_mul(2 * one, n3i_wide_step(c[6], v, c[2]));
+        dv[0] = n3i_wide_step(n3i_wide_step(c[9], 3 * v, n3i_wide_add(c[7], c[7])), v, c[4]);
+        dv[1] = n3i_wide_step(c[8], 2 * v, c[5]);
+        for (i = 0, u = 0 * one; i <= level - j; i++, u += one) {
+            s = n3i_wide_step(n3i_wide_step(c[3], 3 * u, du[1]), u, du[0]);
+            t = n3i_wide_step(n3i_wide_step(c[6], u, dv[1]), u, dv[0]);
+            s = n3i_wide_cross(s, t);
+            nn = n3i_wide_dot(s, s);
+            ok &= (n3i_mask)(nn > clear * clear);
+            at = n3i_put(sink, at, n3i_wide_mul(1 / n3i_wide_sqrt(n3i_pick(ok, nn, one)), s));
+        }
+    }
+    n3i_flush(sink, at);
+    return ok;
+}
+
+/* What is wanted of a lattice: its points, those inside, or its normals. */
+enum { N3I_POINTS, N3I_INSIDE, N3I_NORMALS };
+
+/* What the wide form left out. */
+NAGATA3_API void n3i_plain_lattice(const n3_patch *p, int level, int what, n3_vec *out)
+{
+    n3_edge side[3];
     n3_real u, v;
-    for (j = 0; j <= level; j++)
-        for (i = 0; i <= level - j; i++) {
+    int i, j, inside = what == N3I_INSIDE;
+    n3_patch_edges(p, side);
+    side[2] = n3_edge_reverse(&side[2]);
+    for (j = inside; j <= level - inside; j++)
+        for (i = inside; i <= level - j - inside; i++) {
             n3i_lattice_uv(level, i, j, &u, &v);
-            *normal++ = n3_patch_normal(p, u, v);
+            if (what == N3I_NORMALS) *out++ = n3_patch_normal(p, u, v);
+            else if (j == 0) *out++ = n3i_side_point(side[0], i, level);
+            else if (i == 0) *out++ = n3i_side_point(side[2], j, level);
+            else if (i + j == level) *out++ = n3i_side_point(side[1], j, level);
+            else *out++ = n3_patch_point(p, u, v);
         }
 }
 
-/* The lattices of count patches, at most N3I_WIDTH, in a row at out: points, points inside, or
-   normals. */
-enum { N3I_POINTS, N3I_INSIDE, N3I_NORMALS };
-
+/* The lattices of count patches, at most N3I_WIDTH, one after the other. */
 NAGATA3_API void n3i_lattices(const n3_patch *patch, int count, int level, int what, n3_vec *out)
 {
-    const n3_patch *p[N3I_WIDTH];
+    const n3_real *from[N3I_WIDTH];
+    n3i_wide_vec q[10];
     n3i_sink sink;
     n3i_mask ok;
     size_t size = (size_t)n3i_inside(what == N3I_INSIDE ? level : level + 3);
     int i;
-    sink.count = 0;
     for (i = 0; i < N3I_WIDTH; i++) {
         int lane = i < count ? i : count - 1; /* more than once where there are too few */
-        p[i] = patch + lane;
+        from[i] = &patch[lane].p[0].x;
         sink.to[i] = &out[size * (size_t)lane].x;
     }
-    if (what == N3I_POINTS) n3i_wide_lattice(p, level, 0, &sink);
-    if (what == N3I_INSIDE) n3i_wide_lattice(p, level, 1, &sink);
-    if (what != N3I_NORMALS) return;
-    ok = n3i_wide_normals(p, level, &sink);
+    n3i_load(from, 30, &q[0].x);
+    if (what == N3I_NORMALS) ok = n3i_wide_normals(q, level, &sink);
+    else if (what == N3I_POINTS) ok = n3i_wide_lattice(q, level, 0, &sink);
+    else ok = n3i_wide_lattice(q, level, 1, &sink);
     for (i = 0; i < count; i++)
-        if (!n3i_lane(ok, i)) n3i_plain_normals(p[i], level, out + size * (size_t)i);
+        if (!n3i_lane(ok, i)) n3i_plain_lattice(&patch[i], level, what, out + size * (size_t)i);
 }
 
 NAGATA3_API void n3i_lattice_range(const n3_patch *patch, int first, int last, int level, int what,
@@ -2829,9 +2840,10 @@ NAGATA3_API void n3i_refine_edges(const n3_mesh *m, const n3_topology *t, const 
     n3_edge e[N3I_WIDTH];
     n3i_wide_vec p[4];
     n3i_wide_side side;
+    n3i_wide *at;
     n3i_sink sink;
-    int edge, i, end[2];
-    sink.count = 0;
+    n3i_mask ok;
+    int edge, i, k, end[2];
     for (edge = 0; edge < t->edges; edge += N3I_WIDTH) {
         for (i = 0; i < N3I_WIDTH; i++) {
             int lane = edge + i < t->edges ? edge + i : t->edges - 1;
@@ -2842,9 +2854,15 @@ NAGATA3_API void n3i_refine_edges(const n3_mesh *m, const n3_topology *t, const 
             sink.to[i] = &point[m->points + (level - 1) * lane].x;
         }
         n3i_load(from, 12, &p[0].x);
-        side = n3i_wide_side_of(p[0], p[1], p[2], p[3]);
-        for (i = 1; i < level; i++) n3i_sink_put(&sink, n3i_wide_side_point(&side, i, level));
-        n3i_sink_flush(&sink);
+        ok = (n3i_mask)(p[0].x <= p[0].x);
+        side = n3i_wide_side_of(p[0], p[1], p[2], p[3], level, &ok);
+        n3i_wide_side_next(&side, level);
+        for (i = 1, at = sink.held; i < level; i++)
+            at = n3i_put(&sink, at, n3i_wide_side_next(&side, level));
+        n3i_flush(&sink, at);
+        for (i = 0; i < N3I_WIDTH && edge + i < t->edges; i++)
+            for (k = 1; !n3i_lane(ok, i) && k < level; k++)
+                point[m->points + (level - 1) * (edge + i) + k - 1] = n3i_side_point(e[i], k, level);
     }
 }
 
