@@ -12,6 +12,7 @@ void mesh_read(const char *path, mesh *m)
     if (!is_obj && !has_extension(path, ".stl")) fail(path, 0, "only .obj and .stl can be read");
     data = file_read(path, &size);
     if (!size) fail(path, 0, "the file is empty");
+    m->format = is_obj ? "OBJ" : "STL";
     if (is_obj)
         mesh_read_obj(path, data, size, m);
     else
@@ -20,8 +21,24 @@ void mesh_read(const char *path, mesh *m)
     if (!m->triangles) fail(path, 0, "there are no triangles in it");
 }
 
+static void free_fields(field *list, int fields)
+{
+    int i;
+    for (i = 0; i < fields; i++) {
+        free(list[i].name);
+        free(list[i].value);
+    }
+    free(list);
+}
+
 void mesh_free(mesh *m)
 {
+    int i;
+    free_fields(m->point_field, m->point_fields);
+    free_fields(m->cell_field, m->cell_fields);
+    for (i = 0; i < m->names; i++) free(m->name[i].name);
+    free(m->name);
+    free(m->cell);
     free(m->point);
     free(m->triangle);
     free(m->normal);
@@ -36,11 +53,37 @@ void mesh_add_triangle(mesh *m, int a, int b, int c)
     m->triangle = room(m->triangle, n, 3 * sizeof *m->triangle);
     m->corner = room(m->corner, n, 3 * sizeof *m->corner);
     m->group = room(m->group, n, sizeof *m->group);
+    m->cell = room(m->cell, n, sizeof *m->cell);
     corner = m->corner + 3 * n;
     corner[0] = corner[1] = corner[2] = -1;
     m->triangle[3 * n] = a;
     m->triangle[3 * n + 1] = b;
     m->triangle[3 * n + 2] = c;
     m->group[n] = 0;
+    m->cell[n] = m->cells;
     m->triangles++;
+}
+
+static field make_field(const char *name, int components, int rows)
+{
+    field f = {NULL, 0, 0, NULL};
+    size_t size = strlen(name) + 1;
+    f.name = memcpy(allocate(size, 1), name, size);
+    f.components = components;
+    f.value = allocate((size_t)rows * (size_t)components, sizeof *f.value);
+    return f;
+}
+
+field *mesh_add_point_field(mesh *m, const char *name, int components, int rows)
+{
+    m->point_field = room(m->point_field, m->point_fields, sizeof *m->point_field);
+    m->point_field[m->point_fields] = make_field(name, components, rows);
+    return &m->point_field[m->point_fields++];
+}
+
+field *mesh_add_cell_field(mesh *m, const char *name, int components, int rows)
+{
+    m->cell_field = room(m->cell_field, m->cell_fields, sizeof *m->cell_field);
+    m->cell_field[m->cell_fields] = make_field(name, components, rows);
+    return &m->cell_field[m->cell_fields++];
 }

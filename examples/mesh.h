@@ -9,6 +9,21 @@
 
 #include <stdio.h>
 
+/* Values of each point or of each cell, row by row. Whole ones are numbers of things, which have no
+   mean. NaN: the file has none there. */
+typedef struct field {
+    char *name;
+    int components;
+    int whole;
+    double *value;
+} field;
+
+/* What the file calls the group with a number, of cells of a dimension from 0 to 3. */
+typedef struct group_name {
+    int dimension, number;
+    char *name;
+} group_name;
+
 typedef struct mesh {
     int points, triangles, normals;
     n3_vec *point;
@@ -17,12 +32,21 @@ typedef struct mesh {
     int *corner;    /* three normals each, negative where there is none */
     int *group;     /* of each triangle, the smoothing group; 0: none */
     int grouped;    /* some group is not 0 */
-    int polygons;   /* with more than three corners, split */
-    int joined;     /* points that equal another one */
-    int welded;     /* points that lie within the tolerance of another one */
-    int collapsed;  /* triangles left out: two of their corners are one point */
-    int unused;     /* points left out: in no triangle */
-    n3_real reach;  /* the tolerance, a length */
+    int cells;      /* of the file, that triangles come from */
+    int *cell;      /* of each triangle */
+    int point_fields, cell_fields, names;
+    field *point_field, *cell_field;
+    group_name *name;
+    const char *format; /* what the file is */
+    int polygons;       /* with more than three corners, split */
+    int skipped;        /* cells left out: they are no faces */
+    int curved;      /* cells with nodes between their corners, of which the corners were taken */
+    int lost_fields; /* left out */
+    int joined;      /* points that equal another one */
+    int welded;      /* points that lie within the tolerance of another one */
+    int collapsed;   /* triangles left out: two of their corners are one point */
+    int unused;      /* points left out: in no triangle */
+    n3_real reach;   /* the tolerance, a length */
 } mesh;
 
 /* Defined by each program: its name, which begins its messages. */
@@ -53,8 +77,13 @@ void mesh_read_obj(const char *path, char *data, size_t size, mesh *m);
 void mesh_read_stl(const char *path, char *data, size_t size, mesh *m);
 void mesh_free(mesh *m);
 
-/* Adds a triangle, its corners without normals, in group 0. */
+/* Adds a triangle, its corners without normals, in group 0, of the cell with the number m->cells:
+   who has added all of a cell's triangles counts it. */
 void mesh_add_triangle(mesh *m, int a, int b, int c);
+
+/* A field with room for its values, which are 0. The name is copied. */
+field *mesh_add_point_field(mesh *m, const char *name, int components, int rows);
+field *mesh_add_cell_field(mesh *m, const char *name, int components, int rows);
 
 /* Joins points: equal ones, then those within relative times the diagonal of the bounding box to
    the nearest point that is kept, in the order of the file. Then leaves out the triangles that

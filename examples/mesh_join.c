@@ -144,21 +144,29 @@ static void drop_triangles(mesh *m, const int *kept)
         if (a == b || b == c || c == a) continue;
         to[0] = a, to[1] = b, to[2] = c;
         memmove(m->corner + 3 * n, m->corner + 3 * t, 3 * sizeof *m->corner);
+        m->cell[n] = m->cell[t];
         m->group[n++] = m->group[t];
     }
     m->collapsed += m->triangles - n;
     m->triangles = n;
 }
 
+static void move_row(const field *f, int from, int to)
+{
+    size_t k = (size_t)f->components;
+    memmove(f->value + k * (size_t)to, f->value + k * (size_t)from, k * sizeof *f->value);
+}
+
 /* Numbers the points that triangles use; kept becomes their new numbers. */
 static void drop_points(mesh *m, int *kept)
 {
-    int i, n = 0;
+    int i, j, n = 0;
     for (i = 0; i < m->points; i++) kept[i] = -1;
     for (i = 0; i < 3 * m->triangles; i++) kept[m->triangle[i]] = 0;
     for (i = 0; i < m->points; i++) {
         if (kept[i] < 0) continue;
         m->point[n] = m->point[i];
+        for (j = 0; j < m->point_fields; j++) move_row(&m->point_field[j], i, n);
         kept[i] = n++;
     }
     for (i = 0; i < 3 * m->triangles; i++) m->triangle[i] = kept[m->triangle[i]];

@@ -117,6 +117,7 @@ static void read_face(reader *r)
         for (j = 0; j < 3; j++) m->corner[3 * (m->triangles - 1) + j] = c[j].normal;
         m->group[m->triangles - 1] = r->group;
     }
+    m->cells++;
     m->grouped |= r->group != 0;
 }
 

@@ -32,6 +32,7 @@ static void add_facet(mesh *m, const n3_vec x[3])
         m->point[m->points++] = x[i];
     }
     mesh_add_triangle(m, m->points - 3, m->points - 2, m->points - 1);
+    m->cells++;
 }
 
 static void read_binary(const char *path, const char *data, size_t count, mesh *m)
