@@ -3,7 +3,7 @@
 #include <limits.h>
 #include <stdlib.h>
 
-void mesh_read(const char *path, mesh *m)
+void mesh_read(const char *path, int boundary, mesh *m)
 {
     const int is_obj = has_extension(path, ".obj");
     char *data;
@@ -18,6 +18,7 @@ void mesh_read(const char *path, mesh *m)
     else
         mesh_read_stl(path, data, size, m);
     free(data);
+    if (boundary) fail(path, 0, "there are no volume cells in it, whose boundary to take");
     if (!m->triangles) fail(path, 0, "there are no triangles in it");
 }
 

@@ -71,8 +71,9 @@ void output_close(void);
 int has_extension(const char *path, const char *extension);
 
 /* OBJ: points, normals, faces of any number of corners, smoothing groups.
-   STL: ASCII or binary; three points of its own for each triangle. */
-void mesh_read(const char *path, mesh *m);
+   STL: ASCII or binary; three points of its own for each triangle.
+   With boundary the triangles are the faces that one volume cell has, and no others. */
+void mesh_read(const char *path, int boundary, mesh *m);
 void mesh_read_obj(const char *path, char *data, size_t size, mesh *m);
 void mesh_read_stl(const char *path, char *data, size_t size, mesh *m);
 void mesh_free(mesh *m);

@@ -10,14 +10,17 @@ const char program[] = "smooth";
 
 static const char usage[] =
     "usage: smooth IN -o OUT [-n LEVEL] [--rule paper|arc|fit|nagata|pn|flat]\n"
-    "              [--bezier] [--crease DEG] [--weld REL] [--report] [--json] [--quiet]\n";
+    "              [--boundary] [--bezier] [--crease DEG] [--weld REL] [--report] [--json]\n"
+    "              [--quiet]\n";
 
 static const char help[] =
     "Lays a smooth surface through the points of a mesh of triangles, tangent to its normals.\n"
     "\n"
-    "  IN             .obj or .stl. Without normals in it they are estimated.\n"
+    "  IN             OBJ, STL, PLY, VTU, legacy VTK or Gmsh MSH, told by what is in it, not\n"
+    "                 by its name. Without normals in it they are estimated.\n"
     "  -o OUT         .obj or .stl: flat triangles again, finer; .vtu: the surface itself, in\n"
     "                 cubic triangles. Not needed with --report.\n"
+    "  --boundary     of a mesh of volumes: the faces that one volume cell has\n"
     "  -n LEVEL       parts per edge in .obj and .stl, 1 to 1000 (4)\n"
     "  --rule RULE    paper: cubic Nagata patches (this is the default)\n"
     "                 arc: the same with edges that are circular arcs where they can be\n"
@@ -27,7 +30,7 @@ static const char help[] =
     "  --crease DEG   an edge is sharp where its faces meet at more than this angle (50). Normals\n"
     "                 in the file overrule it, OBJ smoothing groups add to it.\n"
     "  --weld REL     join points closer than this part of the bounding box's diagonal. Equal\n"
-    "                 points are always joined. (.stl: 1e-6, .obj: 0)\n"
+    "                 points are always joined. (STL: 1e-6, others: 0)\n"
     "  --report       say on stdout what was found and done; with --json, as JSON\n"
     "  --quiet        no statistics on stderr\n"
     "  -h, --help     this text\n"
@@ -39,7 +42,7 @@ static const char help[] =
 typedef struct options {
     const char *in, *out;
     const smooth_rule *rule;
-    int level, bezier, report, json, quiet;
+    int level, boundary, bezier, report, json, quiet;
     n3_real crease; /* degrees */
     n3_real weld;   /* negative: by the format */
 } options;
@@ -81,7 +84,9 @@ static void print_and_exit(const char *text)
 /* Options without a value. False if it is none of them. */
 static int read_switch(options *o, const char *a)
 {
-    if (!strcmp(a, "--bezier"))
+    if (!strcmp(a, "--boundary"))
+        o->boundary = 1;
+    else if (!strcmp(a, "--bezier"))
         o->bezier = 1;
     else if (!strcmp(a, "--report"))
         o->report = 1;
@@ -111,7 +116,7 @@ static int read_value(options *o, const char *a, const char *value)
 
 static options read_options(int argc, char **argv)
 {
-    options o = {NULL, NULL, NULL, 4, 0, 0, 0, 0, 50, -1};
+    options o = {NULL, NULL, NULL, 4, 0, 0, 0, 0, 0, 50, -1};
     int i;
     o.rule = smooth_rule_find("paper");
     for (i = 1; i < argc; i++) {
@@ -197,8 +202,9 @@ static void report_joining(const char *path, const mesh *m)
 
 static void read_mesh(const options *o, mesh *m)
 {
-    n3_real weld = has_extension(o->in, ".stl") ? (n3_real)1e-6 : 0;
-    mesh_read(o->in, m);
+    n3_real weld;
+    mesh_read(o->in, o->boundary, m);
+    weld = strcmp(m->format, "STL") ? 0 : (n3_real)1e-6;
     mesh_join(m, o->weld >= 0 ? o->weld : weld);
     if (!o->quiet) report_joining(o->in, m);
     if (!m->triangles) fail(o->in, 0, "all its triangles have collapsed");
