@@ -65,26 +65,15 @@ void mesh_add_triangle(mesh *m, int a, int b, int c)
     m->triangles++;
 }
 
-static field make_field(const char *name, int components, int rows)
+field *field_add(field **list, int *fields, const char *name, size_t length, int components,
+                 double *value)
 {
-    field f = {NULL, 0, 0, NULL};
-    size_t size = strlen(name) + 1;
-    f.name = memcpy(allocate(size, 1), name, size);
-    f.components = components;
-    f.value = allocate((size_t)rows * (size_t)components, sizeof *f.value);
+    field *f;
+    *list = room(*list, *fields, sizeof **list);
+    f = &(*list)[(*fields)++];
+    f->name = memcpy(allocate(length + 1, 1), name, length);
+    f->components = components;
+    f->whole = 0;
+    f->value = value;
     return f;
-}
-
-field *mesh_add_point_field(mesh *m, const char *name, int components, int rows)
-{
-    m->point_field = room(m->point_field, m->point_fields, sizeof *m->point_field);
-    m->point_field[m->point_fields] = make_field(name, components, rows);
-    return &m->point_field[m->point_fields++];
-}
-
-field *mesh_add_cell_field(mesh *m, const char *name, int components, int rows)
-{
-    m->cell_field = room(m->cell_field, m->cell_fields, sizeof *m->cell_field);
-    m->cell_field[m->cell_fields] = make_field(name, components, rows);
-    return &m->cell_field[m->cell_fields++];
 }

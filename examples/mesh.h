@@ -82,9 +82,10 @@ void mesh_free(mesh *m);
    who has added all of a cell's triangles counts it. */
 void mesh_add_triangle(mesh *m, int a, int b, int c);
 
-/* A field with room for its values, which are 0. The name is copied. */
-field *mesh_add_point_field(mesh *m, const char *name, int components, int rows);
-field *mesh_add_cell_field(mesh *m, const char *name, int components, int rows);
+/* Adds a field to the list. The name is copied up to length characters; the values, from
+   allocate(), become the field's. */
+field *field_add(field **list, int *fields, const char *name, size_t length, int components,
+                 double *value);
 
 /* Joins points: equal ones, then those within relative times the diagonal of the bounding box to
    the nearest point that is kept, in the order of the file. Then leaves out the triangles that
