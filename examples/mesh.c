@@ -1,25 +1,72 @@
-#include "mesh.h"
+#include "mesh_binary.h"
 
+#include <ctype.h>
 #include <limits.h>
 #include <stdlib.h>
 
+static int begins(const char *data, size_t size, const char *word)
+{
+    size_t n = strlen(word);
+    text t = text_open("", data, size);
+    while (t.at < t.end && isspace((unsigned char)*t.at)) t.at++;
+    return text_left(&t) >= n && memcmp(t.at, word, n) == 0;
+}
+
+static int is_ply(const char *data, size_t size)
+{
+    return begins(data, size, "ply\n") || begins(data, size, "ply\r");
+}
+
+static int is_vtu(const char *data, size_t size) { return begins(data, size, "<"); }
+
+static int is_vtk(const char *data, size_t size) { return begins(data, size, "# vtk DataFile"); }
+
+static int is_msh(const char *data, size_t size) { return begins(data, size, "$"); }
+
+typedef struct format {
+    const char *name;
+    int (*is)(const char *data, size_t size);
+    void (*read)(const char *path, const char *data, size_t size, mesh *m);
+    int volumes; /* there may be some */
+} format;
+
+/* By their first words; STL by its size as well; what is left is OBJ. */
+static const format *find_format(const char *data, size_t size)
+{
+    static const format formats[] = {
+        {"PLY", is_ply, mesh_read_ply, 0},      {"VTU", is_vtu, mesh_read_vtu, 1},
+        {"VTK", is_vtk, mesh_read_vtk, 1},      {"MSH", is_msh, mesh_read_msh, 1},
+        {"STL", mesh_is_stl, mesh_read_stl, 0}, {"OBJ", NULL, mesh_read_obj, 0}};
+    const format *f = formats;
+    while (f->is && !f->is(data, size)) f++;
+    return f;
+}
+
+static void check_result(const char *path, const format *f, const mesh *m)
+{
+    if (m->triangles) return;
+    if (m->skipped)
+        fail(path, 0, "there are no faces in it, %d other cells; --boundary takes that of volumes",
+             m->skipped);
+    if (!m->points && !f->is) fail(path, 0, "it is none of OBJ, STL, PLY, VTU, VTK and MSH");
+    fail(path, 0, "there are no triangles in it");
+}
+
 void mesh_read(const char *path, int boundary, mesh *m)
 {
-    const int is_obj = has_extension(path, ".obj");
+    const format *f;
     char *data;
     size_t size;
     memset(m, 0, sizeof *m);
-    if (!is_obj && !has_extension(path, ".stl")) fail(path, 0, "only .obj and .stl can be read");
     data = file_read(path, &size);
     if (!size) fail(path, 0, "the file is empty");
-    m->format = is_obj ? "OBJ" : "STL";
-    if (is_obj)
-        mesh_read_obj(path, data, size, m);
-    else
-        mesh_read_stl(path, data, size, m);
+    f = find_format(data, size);
+    if (boundary && !f->volumes) fail(path, 0, "%s has no volume cells", f->name);
+    m->format = f->name;
+    m->boundary = boundary;
+    f->read(path, data, size, m);
     free(data);
-    if (boundary) fail(path, 0, "there are no volume cells in it, whose boundary to take");
-    if (!m->triangles) fail(path, 0, "there are no triangles in it");
+    check_result(path, f, m);
 }
 
 static void free_fields(field *list, int fields)
@@ -76,4 +123,10 @@ field *field_add(field **list, int *fields, const char *name, size_t length, int
     f->whole = 0;
     f->value = value;
     return f;
+}
+
+void field_move_row(const field *f, int from, int to)
+{
+    size_t k = (size_t)f->components;
+    memmove(f->value + k * (size_t)to, f->value + k * (size_t)from, k * sizeof *f->value);
 }

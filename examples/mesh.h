@@ -38,6 +38,7 @@ typedef struct mesh {
     field *point_field, *cell_field;
     group_name *name;
     const char *format; /* what the file is */
+    int boundary;       /* the triangles are the boundary of volume cells */
     int polygons;       /* with more than three corners, split */
     int skipped;        /* cells left out: they are no faces */
     int curved;      /* cells with nodes between their corners, of which the corners were taken */
@@ -72,20 +73,39 @@ int has_extension(const char *path, const char *extension);
 
 /* OBJ: points, normals, faces of any number of corners, smoothing groups.
    STL: ASCII or binary; three points of its own for each triangle.
-   With boundary the triangles are the faces that one volume cell has, and no others. */
+   PLY: ASCII or binary; vertices with what they have, faces with their polygons.
+   VTU, VTK (legacy: POLYDATA, UNSTRUCTURED_GRID), MSH (Gmsh 2 and 4.1): cells of all kinds.
+   What the file is is told by what is in it. With boundary the triangles are the faces that one
+   volume cell has, looking outwards, and no others.
+   The readers check every count against what is left of the file before they take memory. */
 void mesh_read(const char *path, int boundary, mesh *m);
-void mesh_read_obj(const char *path, char *data, size_t size, mesh *m);
-void mesh_read_stl(const char *path, char *data, size_t size, mesh *m);
+void mesh_read_obj(const char *path, const char *data, size_t size, mesh *m);
+void mesh_read_stl(const char *path, const char *data, size_t size, mesh *m);
+void mesh_read_ply(const char *path, const char *data, size_t size, mesh *m);
+void mesh_read_vtu(const char *path, const char *data, size_t size, mesh *m);
+void mesh_read_vtk(const char *path, const char *data, size_t size, mesh *m);
+void mesh_read_msh(const char *path, const char *data, size_t size, mesh *m);
+int mesh_is_stl(const char *data, size_t size);
 void mesh_free(mesh *m);
 
 /* Adds a triangle, its corners without normals, in group 0, of the cell with the number m->cells:
    who has added all of a cell's triangles counts it. */
 void mesh_add_triangle(mesh *m, int a, int b, int c);
 
+/* Adds a polygon of three corners or more as triangles, in the same way; with the normals of its
+   corners, or NULL. A fan from the widest corner, the first of equal ones, splits it. */
+void mesh_add_polygon(mesh *m, int n, const int *point, const int *normal);
+
 /* Adds a field to the list. The name is copied up to length characters; the values, from
    allocate(), become the field's. */
 field *field_add(field **list, int *fields, const char *name, size_t length, int components,
                  double *value);
+
+/* The row from becomes the row to. */
+void field_move_row(const field *f, int from, int to);
+
+/* kept[i] becomes the first point that equals the point i. Returns how many are not their own. */
+int mesh_find_equal(const mesh *m, int *kept);
 
 /* Joins points: equal ones, then those within relative times the diagonal of the bounding box to
    the nearest point that is kept, in the order of the file. Then leaves out the triangles that

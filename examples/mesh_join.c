@@ -59,11 +59,10 @@ static void table_add(table *t, int point)
     *head = point;
 }
 
-/* kept[i] becomes the first point that equals i. */
-static void join_equal(mesh *m, int *kept)
+int mesh_find_equal(const mesh *m, int *kept)
 {
     table t = table_make(m->points);
-    int i, j;
+    int i, j, equal = 0;
     for (i = 0; i < m->points; i++) {
         t.key[i] = m->point[i];
         for (j = *slot(&t, t.key[i]); j >= 0 && !same(t.key[i], t.key[j]); j = t.next[j]) continue;
@@ -71,9 +70,10 @@ static void join_equal(mesh *m, int *kept)
         if (j < 0)
             table_add(&t, i);
         else
-            m->joined++;
+            equal++;
     }
     table_free(&t);
+    return equal;
 }
 
 /* The nearest point of the table to i within reach, -1 for none; it lies in the point's cell or one
@@ -151,12 +151,6 @@ static void drop_triangles(mesh *m, const int *kept)
     m->triangles = n;
 }
 
-static void move_row(const field *f, int from, int to)
-{
-    size_t k = (size_t)f->components;
-    memmove(f->value + k * (size_t)to, f->value + k * (size_t)from, k * sizeof *f->value);
-}
-
 /* Numbers the points that triangles use; kept becomes their new numbers. */
 static void drop_points(mesh *m, int *kept)
 {
@@ -166,7 +160,7 @@ static void drop_points(mesh *m, int *kept)
     for (i = 0; i < m->points; i++) {
         if (kept[i] < 0) continue;
         m->point[n] = m->point[i];
-        for (j = 0; j < m->point_fields; j++) move_row(&m->point_field[j], i, n);
+        for (j = 0; j < m->point_fields; j++) field_move_row(&m->point_field[j], i, n);
         kept[i] = n++;
     }
     for (i = 0; i < 3 * m->triangles; i++) m->triangle[i] = kept[m->triangle[i]];
@@ -180,7 +174,7 @@ void mesh_join(mesh *m, n3_real relative)
     n3_real diagonal;
     n3_vec lo = box(m, &diagonal);
     m->reach = relative * diagonal;
-    join_equal(m, kept);
+    m->joined = mesh_find_equal(m, kept);
     if (m->reach > 0) join_close(m, kept, lo);
     drop_triangles(m, kept);
     drop_points(m, kept);

@@ -1,27 +1,10 @@
 /* STL: binary where the file has exactly the size that its count of triangles asks for, else
  * ASCII. The facets' normals are passed over; the triangles have better ones. */
-#include "mesh_text.h"
+#include "mesh_binary.h"
 
-#include <limits.h>
-#include <stdint.h>
+enum { HEADER = 84, FACET = 50, NORMAL = 12 }; /* bytes */
 
-enum { HEADER = 84, FACET = 50, CORNER = 12 }; /* bytes */
-
-static uint32_t get_count(const char *s)
-{
-    const unsigned char *b = (const unsigned char *)s;
-    return b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
-}
-
-static n3_real get_float(const char *path, const char *data, size_t at)
-{
-    uint32_t bits = get_count(data + at);
-    float x;
-    memcpy(&x, &bits, sizeof x);
-    if ((bits >> 23 & 255) == 255)
-        fail(path, 0, "byte %lu: not a finite number", (unsigned long)at);
-    return (n3_real)x;
-}
+static const number_type count_type = {"uint32", 'u', 4}, coordinate = {"float32", 'f', 4};
 
 /* A triangle with the next three points as its own. */
 static void add_facet(mesh *m, const n3_vec x[3])
@@ -35,80 +18,85 @@ static void add_facet(mesh *m, const n3_vec x[3])
     m->cells++;
 }
 
-static void read_binary(const char *path, const char *data, size_t count, mesh *m)
+static void read_binary(text *t, mesh *m)
 {
-    size_t t, i;
-    for (t = 0; t < count; t++) {
+    while (text_left(t) >= FACET) {
         n3_vec x[3];
+        int i;
+        skip_bytes(t, NORMAL);
         for (i = 0; i < 3; i++) {
-            size_t at = HEADER + FACET * t + CORNER * (i + 1);
-            x[i].x = get_float(path, data, at);
-            x[i].y = get_float(path, data, at + 4);
-            x[i].z = get_float(path, data, at + 8);
+            x[i].x = (n3_real)read_coordinate(t, &coordinate);
+            x[i].y = (n3_real)read_coordinate(t, &coordinate);
+            x[i].z = (n3_real)read_coordinate(t, &coordinate);
         }
+        skip_bytes(t, 2);
         add_facet(m, x);
     }
-}
-
-/* The next token, on this line or a later one. */
-static token next_token(text *t)
-{
-    while (!text_more(t) && text_next_line(t)) continue;
-    return text_token(t);
-}
-
-static void expect(text *t, const char *word)
-{
-    token k = next_token(t);
-    char reason[40];
-    if (token_is(k, word)) return;
-    snprintf(reason, sizeof reason, "where '%s' should be", word);
-    text_refuse(t, k, reason);
 }
 
 static void read_facet(text *t, mesh *m)
 {
     n3_vec x[3];
     int i;
-    expect(t, "normal");
+    text_expect(t, "normal");
     text_next_line(t);
-    expect(t, "outer");
-    expect(t, "loop");
+    text_expect(t, "outer");
+    text_expect(t, "loop");
     for (i = 0; i < 3; i++) {
-        expect(t, "vertex");
+        text_expect(t, "vertex");
         x[i] = text_vec(t);
     }
-    expect(t, "endloop");
-    expect(t, "endfacet");
+    text_expect(t, "endloop");
+    text_expect(t, "endfacet");
     add_facet(m, x);
 }
 
-static void read_ascii(const char *path, char *data, size_t size, mesh *m)
+static void read_ascii(text *t, mesh *m)
 {
-    text t = text_open(path, data, size);
     token k;
-    for (k = next_token(&t); k.length; k = next_token(&t)) {
-        if (!token_is(k, "solid")) text_refuse(&t, k, "where 'solid' should be");
-        text_next_line(&t);
-        for (k = next_token(&t); token_is(k, "facet"); k = next_token(&t)) read_facet(&t, m);
-        if (!token_is(k, "endsolid")) text_refuse(&t, k, "where 'facet' or 'endsolid' should be");
-        text_next_line(&t);
+    for (k = text_word(t); k.length; k = text_word(t)) {
+        if (!token_is(k, "solid")) text_refuse(t, k, "where 'solid' should be");
+        text_next_line(t);
+        for (k = text_word(t); token_is(k, "facet"); k = text_word(t)) read_facet(t, m);
+        if (!token_is(k, "endsolid")) text_refuse(t, k, "where 'facet' or 'endsolid' should be");
+        text_next_line(t);
     }
 }
 
-/* ASCII files begin with "solid", and so do some binary ones; only these have a zero byte. */
-static int is_text(const char *data, size_t size) { return !memchr(data, 0, size); }
-
-void mesh_read_stl(const char *path, char *data, size_t size, mesh *m)
+/* The triangles that a binary file of this header has. */
+static size_t get_count(text t)
 {
-    size_t count = size >= HEADER ? get_count(data + HEADER - 4) : 0;
-    if (size >= HEADER && (size - HEADER) % FACET == 0 && (size - HEADER) / FACET == count) {
-        if (count > INT_MAX / 3) fail(path, 0, "too many triangles: %lu", (unsigned long)count);
-        read_binary(path, data, count, m);
-    } else if (is_text(data, size)) {
-        read_ascii(path, data, size, m);
+    t.order = LITTLE;
+    t.at = t.start + HEADER - 4;
+    return (size_t)read_number(&t, &count_type);
+}
+
+/* Some binary files begin with "solid", as ASCII files do. */
+static int is_binary(const char *data, size_t size)
+{
+    return size >= HEADER && (size - HEADER) % FACET == 0 &&
+           (size - HEADER) / FACET == get_count(text_open("", data, size));
+}
+
+/* No other format has zero bytes and nothing to tell it by. */
+int mesh_is_stl(const char *data, size_t size)
+{
+    text t = text_open("", data, size);
+    return is_binary(data, size) || memchr(data, 0, size) || token_is(text_word(&t), "solid");
+}
+
+void mesh_read_stl(const char *path, const char *data, size_t size, mesh *m)
+{
+    text t = text_open(path, data, size);
+    if (is_binary(data, size)) {
+        t.order = LITTLE;
+        t.at = data + HEADER;
+        read_binary(&t, m);
+    } else if (!memchr(data, 0, size)) {
+        read_ascii(&t, m);
     } else {
-        fail(path, 0, "binary STL of %lu triangles is %.0f bytes long, this file %lu",
-             (unsigned long)count, HEADER + FACET * (double)count, (unsigned long)size);
+        double count = size >= HEADER ? (double)get_count(t) : 0;
+        fail(path, 0, "binary STL of %.0f triangles is %.0f bytes long, this file %.0f", count,
+             HEADER + FACET * count, (double)size);
     }
 }

@@ -2,52 +2,105 @@
 
 #include <ctype.h>
 #include <limits.h>
+#include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 
-enum { SHOWN = 40 }; /* characters of a token in a message */
+enum { SHOWN = 40, REASON = 200 }; /* characters of a token, of a reason in a message */
 
 /* Beyond this, squares of lengths overflow. */
 static const double largest = 1e150;
 
-text text_open(const char *file, char *data, size_t size)
+text text_open(const char *file, const char *data, size_t size)
 {
-    text t;
-    size_t i, n = 0;
-    for (i = 0; i < size; i++) {
-        if (data[i] == '\r' && data[i + 1] == '\n') continue;
-        data[n++] = data[i] == '\r' ? '\n' : data[i];
-    }
-    data[n] = 0;
+    text t = {NULL, NULL, NULL, NULL, NULL, 0, 0};
     t.file = file;
-    t.at = n >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0 ? data + 3 : data; /* byte order mark */
-    t.end = data + n;
-    t.line = 1;
+    t.start = t.token = data;
+    t.at = size >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0 ? data + 3 : data;
+    t.end = data + size;
     return t;
 }
 
 static int is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
-static int is_continued(const char *at) { return at[0] == '\\' && at[1] == '\n'; }
+static int is_end(char c) { return c == '\n' || c == '\r'; }
+
+/* Behind the line end at s; s itself if there is none. */
+static const char *line_end(const char *s)
+{
+    return s[0] == '\r' && s[1] == '\n' ? s + 2 : s + is_end(*s);
+}
+
+static int is_continued(const text *t) { return !t->plain && t->at[0] == '\\' && is_end(t->at[1]); }
+
+static long line_number(const text *t)
+{
+    const char *s = t->start, *next;
+    long line = 1;
+    for (; s<t->token; s = next> s ? next : s + 1) {
+        next = line_end(s);
+        line += next > s;
+    }
+    return line;
+}
+
+void text_fail(const text *t, const char *format, ...)
+{
+    char reason[REASON];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(reason, sizeof reason, format, arguments);
+    va_end(arguments);
+    if (!t->order) fail(t->file, line_number(t), "%s", reason);
+    fail(t->file, 0, "byte %lu: %s", (unsigned long)(t->token - t->start), reason);
+}
+
+void text_refuse(const text *t, token k, const char *reason)
+{
+    char shown[SHOWN + 4];
+    size_t i, n = k.length < SHOWN ? k.length : SHOWN;
+    for (i = 0; i < n; i++) shown[i] = isprint((unsigned char)k.at[i]) ? k.at[i] : '?';
+    memcpy(shown + n, n < k.length ? "..." : "", n < k.length ? 4 : 1);
+    if (k.length) text_fail(t, "'%s' %s", shown, reason);
+    text_fail(t, "the end of the %s %s", t->at < t->end ? "line" : "file", reason);
+}
 
 int text_more(text *t)
 {
-    for (;; t->at++) {
-        if (is_continued(t->at))
-            t->at++, t->line++;
+    for (; t->at < t->end; t->at++) {
+        if (is_continued(t))
+            t->at = line_end(t->at + 1) - 1;
         else if (!is_blank(*t->at))
             break;
     }
-    return t->at < t->end && *t->at != '\n' && *t->at != '#';
+    return t->at < t->end && !is_end(*t->at) && (t->plain || *t->at != '#');
 }
 
 token text_token(text *t)
 {
     token k;
     int more = text_more(t);
-    k.at = t->at;
-    while (more && t->at < t->end && !is_blank(*t->at) && *t->at != '\n' && !is_continued(t->at))
+    k.at = t->token = t->at;
+    while (more && t->at < t->end && !is_blank(*t->at) && !is_end(*t->at) && !is_continued(t))
         t->at++;
     k.length = (size_t)(t->at - k.at);
+    return k;
+}
+
+token text_word(text *t)
+{
+    while (!text_more(t) && text_next_line(t)) continue;
+    return text_token(t);
+}
+
+token text_line(text *t)
+{
+    token k;
+    text_more(t);
+    k.at = t->token = t->at;
+    while (t->at < t->end && !is_end(*t->at)) t->at++;
+    k.length = (size_t)(t->at - k.at);
+    while (k.length && is_blank(k.at[k.length - 1])) k.length--;
     return k;
 }
 
@@ -55,12 +108,8 @@ token text_token(text *t)
 int text_next_line(text *t)
 {
     while (text_more(t)) text_token(t);
-    t->at = memchr(t->at, '\n', (size_t)(t->end - t->at));
-    if (!t->at) {
-        t->at = t->end;
-        return 0;
-    }
-    t->at++, t->line++;
+    while (t->at < t->end && !is_end(*t->at)) t->at++;
+    if (t->at < t->end) t->at = line_end(t->at);
     return t->at < t->end;
 }
 
@@ -72,15 +121,13 @@ int token_is(token k, const char *word)
     return !word[i];
 }
 
-void text_refuse(const text *t, token k, const char *reason)
+void text_expect(text *t, const char *word)
 {
-    char shown[SHOWN + 4];
-    size_t i, n = k.length < SHOWN ? k.length : SHOWN;
-    for (i = 0; i < n; i++) shown[i] = isprint((unsigned char)k.at[i]) ? k.at[i] : '?';
-    memcpy(shown + n, n < k.length ? "..." : "", n < k.length ? 4 : 1);
-    if (k.length) fail(t->file, t->line, "'%s' %s", shown, reason);
-    fail(t->file, t->line, "%s %s", t->at < t->end ? "the end of the line" : "the end of the file",
-         reason);
+    token k = text_word(t);
+    char reason[40];
+    if (token_is(k, word)) return;
+    snprintf(reason, sizeof reason, "where '%s' should be", word);
+    text_refuse(t, k, reason);
 }
 
 static const char *skip_digits(const char *s)
@@ -125,6 +172,38 @@ n3_vec text_vec(text *t)
     a.y = text_number(t);
     a.z = text_number(t);
     return a;
+}
+
+/* Without its sign, one of the words for what is no finite number. */
+static int is_special(token k)
+{
+    int sign = k.length && (*k.at == '-' || *k.at == '+');
+    k.at += sign, k.length -= (size_t)sign;
+    return token_is(k, "nan") || token_is(k, "inf") || token_is(k, "infinity");
+}
+
+double text_value(text *t)
+{
+    token k = text_word(t);
+    if (!k.length || (number_end(k.at) != k.at + k.length && !is_special(k)))
+        text_refuse(t, k, "is not a number");
+    return strtod(k.at, NULL);
+}
+
+double text_whole(text *t)
+{
+    token k = text_word(t);
+    const char *digits = k.at + (k.length && (*k.at == '-' || *k.at == '+'));
+    if (skip_digits(digits) != k.at + k.length || digits == k.at + k.length)
+        text_refuse(t, k, "is not a whole number");
+    return strtod(k.at, NULL);
+}
+
+int text_count(text *t, int most)
+{
+    double x = text_whole(t);
+    if (!(x >= 0 && x <= most)) text_fail(t, "%.17g is not from 0 to %d", x, most);
+    return (int)x;
 }
 
 int text_integer(const char **at, const char *end, int *i)

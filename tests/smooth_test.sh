@@ -170,7 +170,7 @@ check 'none is written' [ ! -e "$dir/no.stl" ]
 refuse 'an absent file' "$dir/absent.obj" ': No such file or directory'
 mkdir "$dir/folder.obj"
 refuse 'a folder' "$dir/folder.obj" ': Is a directory'
-refuse 'an unknown format' "$dir/a.ply" ': only .obj and .stl can be read'
+refuse_obj 'an unknown format' 'first, second\n' ': it is none of OBJ, STL, PLY, VTU, VTK and MSH'
 sed 's/outer loop/outer/' "$dir/ascii.stl" > "$dir/bad.stl"
 refuse 'ASCII STL without a loop' "$dir/bad.stl" ":4: 'vertex' where 'loop' should be"
 sed '/endsolid/d' "$dir/ascii.stl" > "$dir/bad.stl"
