@@ -1,11 +1,10 @@
 #include "mesh_binary.h"
 
+#include <ctype.h>
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
-
-static const double largest = 1e150; /* beyond this, squares of lengths overflow */
 
 const number_type *type_find(const text *t, const number_type *list, token name)
 {
@@ -68,11 +67,13 @@ double read_number(text *t, const number_type *type)
     return -(double)(2 * sign - bits);
 }
 
+int is_coordinate(double x) { return fabs(x) <= 1e150; }
+
 double read_coordinate(text *t, const number_type *type)
 {
     double x = t->order == AS_TEXT ? text_value(t) : read_number(t, type);
     if (!(fabs(x) <= DBL_MAX)) text_fail(t, "not a finite number");
-    if (fabs(x) > largest) text_fail(t, "%g is too large, beyond 1e150", x);
+    if (!is_coordinate(x)) text_fail(t, "%g is too large, beyond 1e150", x);
     return x;
 }
 
@@ -108,6 +109,38 @@ double *read_numbers(text *t, const number_type *type, double count)
         for (i = 0; i < n; i++) x[i] = read_number(t, type);
     }
     return x;
+}
+
+static int sextet(char c)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const char *found = c ? strchr(digits, c) : NULL;
+    return found ? (int)(found - digits) : -1;
+}
+
+/* A digit is six bits. What bits are held before a =, fewer than eight, fill up the last digit. */
+size_t read_base64(const text *t, unsigned char *to, size_t size)
+{
+    const char *at = t->at;
+    uint32_t bits = 0;
+    size_t n = 0;
+    int held = 0;
+    for (; at < t->end && n < size; at++) {
+        int x = sextet(*at);
+        if (x >= 0) {
+            bits = bits << 6 | (uint32_t)x;
+            held += 6;
+        } else if (*at == '=') {
+            held = 0;
+        } else if (!isspace((unsigned char)*at)) {
+            break;
+        }
+        if (held >= 8) {
+            held -= 8;
+            to[n++] = (unsigned char)(bits >> held & 255);
+        }
+    }
+    return n;
 }
 
 int is_exact(const double *value, size_t count)

@@ -29,12 +29,19 @@ void check_left(const text *t, double rows, size_t bytes, size_t tokens);
 /* The next number. An integer beyond 2^53 is rounded. */
 double read_number(text *t, const number_type *type);
 
-/* The same, as a finite coordinate; as an integer from 0 to count - 1, the number of a thing. */
+/* Finite, and no larger than that squares of lengths may overflow. */
+int is_coordinate(double x);
+
+/* The same, as a coordinate; as an integer from 0 to count - 1, the number of a thing. */
 double read_coordinate(text *t, const number_type *type);
 int read_index(text *t, const number_type *type, int count, const char *thing);
 
 /* The next count numbers, in an array from allocate(). */
 double *read_numbers(text *t, const number_type *type, double count);
+
+/* Decodes base64 from here on, up to size bytes; the number of them, which is less where the base64
+   ends before. */
+size_t read_base64(const text *t, unsigned char *to, size_t size);
 
 /* Whole numbers that a double may have rounded, or that an int does not hold. */
 int is_exact(const double *value, size_t count);

@@ -13,7 +13,8 @@ static const double largest = 1e150;
 
 text text_open(const char *file, const char *data, size_t size)
 {
-    text t = {NULL, NULL, NULL, NULL, NULL, 0, 0};
+    text t;
+    memset(&t, 0, sizeof t);
     t.file = file;
     t.start = t.token = data;
     t.at = size >= 3 && memcmp(data, "\xef\xbb\xbf", 3) == 0 ? data + 3 : data;
@@ -47,12 +48,14 @@ static long line_number(const text *t)
 void text_fail(const text *t, const char *format, ...)
 {
     char reason[REASON];
+    size_t byte = (size_t)(t->token - t->start);
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(reason, sizeof reason, format, arguments);
     va_end(arguments);
     if (!t->order) fail(t->file, line_number(t), "%s", reason);
-    fail(t->file, 0, "byte %lu: %s", (unsigned long)(t->token - t->start), reason);
+    if (t->base64) byte = byte / 3 * 4;
+    fail(t->file, 0, "byte %lu: %s", (unsigned long)(t->offset + byte), reason);
 }
 
 void text_refuse(const text *t, token k, const char *reason)

@@ -8,8 +8,10 @@ typedef struct text {
     const char *file;
     const char *start, *at, *end; /* *end may be read */
     const char *token;            /* where the last one begins: the place of messages */
-    int plain; /* # begins no comment and a backslash joins no lines: they are part of tokens */
-    int order; /* of the bytes of numbers; AS_TEXT: they are tokens */
+    int plain;     /* # begins no comment and a backslash joins no lines: they are part of tokens */
+    int order;     /* of the bytes of numbers; AS_TEXT: they are tokens */
+    size_t offset; /* in the file, of the start */
+    int base64;    /* the bytes stand in it four for three */
 } text;
 
 typedef struct token {
