@@ -125,6 +125,13 @@ field *field_add(field **list, int *fields, const char *name, size_t length, int
     return f;
 }
 
+void field_drop(field *list, int *fields, int i)
+{
+    free(list[i].name);
+    free(list[i].value);
+    memmove(list + i, list + i + 1, (size_t)(--*fields - i) * sizeof *list);
+}
+
 void field_move_row(const field *f, int from, int to)
 {
     size_t k = (size_t)f->components;

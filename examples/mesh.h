@@ -101,6 +101,9 @@ void mesh_add_polygon(mesh *m, int n, const int *point, const int *normal);
 field *field_add(field **list, int *fields, const char *name, size_t length, int components,
                  double *value);
 
+/* Takes the field i out of the list. */
+void field_drop(field *list, int *fields, int i);
+
 /* The row from becomes the row to. */
 void field_move_row(const field *f, int from, int to);
 

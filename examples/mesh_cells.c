@@ -1,5 +1,6 @@
 /* Cells of all kinds into triangles. */
 #include "mesh_cells.h"
+#include "mesh_binary.h"
 
 #include <stdlib.h>
 
@@ -141,12 +142,26 @@ static void keep_cells(mesh *m, int count)
     free(number);
 }
 
+/* Whole numbers beyond 2^53 are not what the file has: leaves their fields out. */
+static void drop_inexact(mesh *m, field *list, int *fields, int rows)
+{
+    int i;
+    for (i = *fields - 1; i >= 0; i--) {
+        size_t n = (size_t)rows * (size_t)list[i].components;
+        if (!list[i].whole || is_exact(list[i].value, n)) continue;
+        field_drop(list, fields, i);
+        m->lost_fields++;
+    }
+}
+
 void cells_take(const char *path, cells *c, mesh *m)
 {
     if (m->boundary)
         cells_take_boundary(path, c, m);
     else
         take_faces(c, m);
+    drop_inexact(m, m->point_field, &m->point_fields, m->points);
+    drop_inexact(m, m->cell_field, &m->cell_fields, c->count);
     keep_cells(m, c->count);
     cells_free(c);
 }
