@@ -192,8 +192,17 @@ static product write_output(const options *o, const surface *s)
 }
 
 /* What was done to the mesh before anything else; never in silence, unless asked. */
-static void report_joining(const char *path, const mesh *m)
+static void report_reading(const char *path, const mesh *m)
 {
+    if (m->skipped)
+        fprintf(stderr, "%s: %s: left out %d cells that are no %s\n", program, path, m->skipped,
+                m->boundary ? "volumes" : "faces");
+    if (m->curved)
+        fprintf(stderr, "%s: %s: took the corners alone of %d curved cells\n", program, path,
+                m->curved);
+    if (m->lost_fields)
+        fprintf(stderr, "%s: %s: left out %d fields of no numbers, few or too large ones\n",
+                program, path, m->lost_fields);
     if (!m->joined && !m->welded && !m->collapsed) return;
     fprintf(stderr, "%s: %s: joined %d equal points", program, path, m->joined);
     if (m->reach > 0) fprintf(stderr, " and %d within %.3g", m->welded, (double)m->reach);
@@ -206,7 +215,7 @@ static void read_mesh(const options *o, mesh *m)
     mesh_read(o->in, o->boundary, m);
     weld = strcmp(m->format, "STL") ? 0 : (n3_real)1e-6;
     mesh_join(m, o->weld >= 0 ? o->weld : weld);
-    if (!o->quiet) report_joining(o->in, m);
+    if (!o->quiet) report_reading(o->in, m);
     if (!m->triangles) fail(o->in, 0, "all its triangles have collapsed");
 }
 
