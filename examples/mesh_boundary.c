@@ -134,7 +134,7 @@ void cells_take_boundary(const char *path, const cells *c, mesh *m)
         else if (kind && (!base || base > QUAD))
             fail(path, 0, "the boundary of a cell of type %d is not known", kind);
         m->skipped += !corner;
-        m->curved += corner && cells_curved(kind, n);
+        m->curved += mask[i] && cells_curved(kind, n);
     }
     free(mask);
     free(kept);

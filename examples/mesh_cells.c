@@ -55,7 +55,7 @@ const int *cells_points(const cells *c, int i, int *n)
 {
     int begin = i ? c->end[i - 1] : 0;
     *n = c->end[i] - begin;
-    return c->point + begin;
+    return *n ? c->point + begin : NULL;
 }
 
 static void cells_free(cells *c)

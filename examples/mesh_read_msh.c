@@ -54,6 +54,13 @@ static int read_int(reader *r)
     return (int)x;
 }
 
+static int read_dimension(reader *r)
+{
+    int d = read_int(r);
+    if (d < 0 || d > 3) text_fail(&r->text, "%d is no dimension", d);
+    return d;
+}
+
 /* A count, or the number of a node or an element. */
 static double read_size(reader *r)
 {
@@ -215,7 +222,7 @@ static void read_point(reader *r)
 
 static void read_block_of_nodes(reader *r)
 {
-    int dimension = read_int(r), has_parameters, i;
+    int dimension = read_dimension(r), has_parameters, i;
     double n;
     read_int(r);
     has_parameters = read_int(r);
@@ -310,7 +317,7 @@ static void read_block_of_elements_2(reader *r, int *left)
 
 static void read_block_of_elements_4(reader *r)
 {
-    int dimension = read_int(r), entity = read_int(r);
+    int dimension = read_dimension(r), entity = read_int(r);
     const element_type *e = find_type(r, read_int(r));
     int physical = map_find(&r->group, entity_key(dimension, entity));
     double n = read_size(r);
@@ -418,14 +425,13 @@ static void read_section(reader *r, token name)
     }
 }
 
-/* The data of a step but the first have its number in their name. */
-static char *data_name(const values *d, const field *list, int fields)
+/* Steps but the first have their number in the name. */
+static char *data_name(const values *d)
 {
-    char *name = allocate(d->name.length + 16, 1);
-    int i;
-    memcpy(name, d->name.at, d->name.length);
-    for (i = 0; i < fields && strcmp(list[i].name, name) != 0; i++) continue;
-    if (i < fields) snprintf(name + d->name.length, 16, "@%d", d->step);
+    const size_t n = d->name.length;
+    char *name = allocate(n + 16, 1);
+    memcpy(name, d->name.at, n);
+    if (d->step) snprintf(name + n, 16, "@%d", d->step);
     return name;
 }
 
@@ -447,7 +453,7 @@ static int add_data(const values *d, const double *id, int rows, field **list, i
         for (j = 0; j < k; j++)
             value[(size_t)i * k + j] = row < 0 ? (double)NAN : d->value[(size_t)row * k + j];
     }
-    name = data_name(d, *list, *fields);
+    name = data_name(d);
     field_add(list, fields, name, strlen(name), d->components, value);
     free(name);
     return 1;

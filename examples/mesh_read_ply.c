@@ -19,7 +19,7 @@ typedef struct property {
 
 typedef struct element {
     token name;
-    int rows, properties;
+    int rows, kept, properties; /* kept: its single numbers are */
     property *property;
 } element;
 
@@ -63,7 +63,7 @@ static element *find_element(const reader *r, const char *name)
 
 static void read_element(reader *r)
 {
-    element e = {{NULL, 0}, 0, 0, NULL};
+    element e = {{NULL, 0}, 0, 0, 0, NULL};
     e.name = text_token(&r->text);
     if ((token_is(e.name, "vertex") && find_element(r, "vertex")) ||
         (token_is(e.name, "face") && find_element(r, "face")))
@@ -128,20 +128,21 @@ static property *find_property(const element *e, const char *name, int list)
 static void choose(reader *r)
 {
     static const char *const finite[] = {"x", "y", "z", "nx", "ny", "nz"};
-    const element *vertex = find_element(r, "vertex"), *face = find_element(r, "face");
+    element *vertex = find_element(r, "vertex"), *face = find_element(r, "face");
     property *p;
     int i;
     for (i = 0; i < 6; i++)
         if ((p = find_property(vertex, finite[i], 0))) p->finite = 1;
     if (!(p = find_property(face, "vertex_indices", 1))) p = find_property(face, "vertex_index", 1);
     if (p) p->polygon = 1;
+    if (vertex) vertex->kept = 1;
+    if (face) face->kept = 1;
     r->points = vertex ? vertex->rows : 0;
 }
 
 /* Memory for the single numbers, once it is known that all rows may be there. */
 static void make_columns(const reader *r, element *e)
 {
-    const int kept = e == find_element(r, "vertex") || e == find_element(r, "face");
     size_t bytes = 0;
     int i;
     for (i = 0; i < e->properties; i++) {
@@ -149,7 +150,7 @@ static void make_columns(const reader *r, element *e)
         bytes += (size_t)(p->count ? p->count : p->type)->bytes;
     }
     check_left(&r->text, e->rows, bytes, (size_t)e->properties);
-    for (i = 0; kept && i < e->properties; i++)
+    for (i = 0; e->kept && i < e->properties; i++)
         if (!e->property[i].count)
             e->property[i].column = allocate((size_t)e->rows, sizeof(double));
 }

@@ -26,6 +26,7 @@ typedef struct reader {
     int is_vtu, order;        /* order: of bytes, as in text.order */
     const number_type *count; /* of an array's bytes */
     text appended;            /* the arrays behind the pieces; without a file: none */
+    double taken;             /* bytes of them */
     int pieces, in_piece;
     int points_here, cells_here; /* of the piece */
     int section;
@@ -44,7 +45,7 @@ static double attribute_number(const reader *r, token value, double other)
 {
     text t = r->text;
     double x;
-    if (!value.at) return other;
+    if (!value.length) return other;
     t.at = value.at;
     t.end = value.at + value.length;
     x = text_whole(&t);
@@ -153,7 +154,7 @@ static double *read_encoded(const reader *r, const text *from, const number_type
 }
 
 /* The values of an array: rows times its components. */
-static double *read_array(const reader *r, const array *a, double rows)
+static double *read_array(reader *r, const array *a, double rows)
 {
     const number_type *type = type_find(&a->text, types, a->type);
     text t = a->text;
@@ -173,6 +174,9 @@ static double *read_array(const reader *r, const array *a, double rows)
         if (!t.file || offset > (double)text_left(&t))
             text_fail(&a->text, "there are no %.0f bytes of appended data", offset);
         t.at += (size_t)offset;
+        r->taken += rows * type->bytes;
+        if (r->taken > (double)text_left(&r->appended))
+            text_fail(&a->text, "the arrays are larger than the appended data");
     } else if (!token_is(a->format, "binary")) {
         text_refuse(&t, a->format, "is no format of arrays");
     }
@@ -191,7 +195,7 @@ static const array *find_array(const reader *r, int section, const char *name)
     return NULL;
 }
 
-static n3_vec *add_vectors(const reader *r, const array *a, n3_vec *list, int *count)
+static n3_vec *add_vectors(reader *r, const array *a, n3_vec *list, int *count)
 {
     double *x;
     int i;

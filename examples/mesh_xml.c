@@ -78,7 +78,7 @@ int xml_next(text *t, tag *g)
 token xml_attribute(const tag *g, const char *name)
 {
     const char *at = g->attributes.at, *end = at + g->attributes.length;
-    token none = {NULL, 0}, word = none;
+    token none = {"", 0}, word = none;
     while (at < end) {
         if (*at == '"' || *at == '\'') {
             token value = take_quoted(&at, end);

@@ -23,7 +23,7 @@ static int is_closed(const n3_report *r)
 static int found(const mesh *m, const surface *s, const n3_report *r, row *rows)
 {
     const row all[] = {
-        {"skipped_cells", m->skipped, "cells are no faces and were left out"},
+        {"skipped_cells", m->skipped, "cells of other kinds were left out"},
         {"curved_cells", m->curved, "cells have nodes besides their corners, which alone count"},
         {"lost_fields", m->lost_fields,
          "fields of no numbers, few or too large ones were left out"},
