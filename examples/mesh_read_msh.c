@@ -45,7 +45,7 @@ typedef struct reader {
 } reader;
 
 static const number_type int_type = {"", 'i', 4}, double_type = {"", 'f', 8};
-static const number_type sizes[] = {{"4", 'u', 4}, {"8", 'u', 8}, {NULL, 0, 0}};
+static const number_type size_4 = {"", 'u', 4}, size_8 = {"", 'u', 8};
 
 static int read_int(reader *r)
 {
@@ -130,7 +130,9 @@ static void read_format(reader *r)
     if (r->version == 4 && !token_is(k, "4.1"))
         text_refuse(t, k, "is not the version 2 or 4.1 of the format");
     binary = text_count(t, 1);
-    r->size = type_find(t, sizes, text_token(t));
+    k = text_token(t);
+    if (!token_is(k, "4") && !token_is(k, "8")) text_refuse(t, k, "is not a size of 4 or 8 bytes");
+    r->size = *k.at == '4' ? &size_4 : &size_8;
     if (!binary) return;
     text_next_line(t);
     t->order = text_left(t) && *t->at == 0 ? BIG : LITTLE;
@@ -421,7 +423,9 @@ static void read_section(reader *r, token name)
     } else {
         text_next_line(&r->text);
         sections[i].read(r);
-        text_expect(&r->text, sections[i].end);
+        name = text_word(&r->text);
+        if (!token_is(name, sections[i].end))
+            text_refuse(&r->text, name, "where the section should end");
     }
 }
 

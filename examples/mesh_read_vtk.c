@@ -59,7 +59,8 @@ static const number_type byte_type = {"", 'u', 1}, int_type = {"", 'i', 4},
 static const number_type *read_type(reader *r)
 {
     const number_type *type = type_find(&r->text, types, text_token(&r->text));
-    if (strchr("bs", type->kind)) text_fail(&r->text, "the type %s here", type->name);
+    if (strchr("bs", type->kind))
+        text_fail(&r->text, "the type %s is not for points or cells", type->name);
     return type;
 }
 

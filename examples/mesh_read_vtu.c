@@ -73,6 +73,11 @@ static void begin_file(reader *r, const tag *g)
     r->is_vtu = 1;
 }
 
+static void skip_space(text *t)
+{
+    while (t->at < t->end && isspace((unsigned char)*t->at)) t->at++;
+}
+
 /* Behind the _ are the arrays of all pieces. */
 static void find_appended(reader *r)
 {
@@ -90,7 +95,7 @@ static void find_appended(reader *r)
     t.base64 = token_is(encoding, "base64");
     if (!t.base64 && !token_is(encoding, "raw"))
         text_refuse(&t, encoding, "where the encoding raw or base64 should be");
-    while (t.at < t.end && isspace((unsigned char)*t.at)) t.at++;
+    skip_space(&t);
     if (*t.at != '_') text_fail(&t, "'_' should follow");
     t.at++;
     r->appended = t;
@@ -180,6 +185,7 @@ static double *read_array(reader *r, const array *a, double rows)
     } else if (!token_is(a->format, "binary")) {
         text_refuse(&t, a->format, "is no format of arrays");
     }
+    if (t.base64) skip_space(&t);
     t.order = r->order;
     return t.base64 ? read_encoded(r, &t, type, rows) : read_counted(r, &t, type, rows);
 }
