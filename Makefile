@@ -8,9 +8,14 @@ BUILD   = build
 COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic -I. $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@
 PROGRAMS = $(addprefix $(BUILD)/,smooth demo_mesh 01_point figure7 facts bench_double bench_float)
 TESTS    = $(addprefix $(BUILD)/,test_double test_float)
+TOOLS    = $(addprefix $(BUILD)/,write_seeds dump)
 TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c))
-SMOOTH   = $(wildcard examples/smooth*.c examples/mesh*.c)
-HEADERS  = $(wildcard nagata3.h tests/*.h examples/*.h)
+MESH     = $(wildcard examples/mesh*.c)
+SMOOTH   = $(wildcard examples/smooth*.c) $(MESH)
+SEEDS    = $(addprefix tests/fuzz/,mutate.c seeds.c)
+FUZZ     = tests/fuzz/sandbox.c $(filter-out examples/mesh_file.c,$(MESH))
+SANITIZE = -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
+HEADERS  = $(wildcard nagata3.h tests/*.h tests/fuzz/*.h examples/*.h)
 VERSION  = $(shell sed -n 's/^.define NAGATA3_VERSION "\(.*\)"/\1/p' nagata3.h)
 LIB      = $(DESTDIR)$(PREFIX)/lib
 
@@ -22,8 +27,12 @@ demo: $(BUILD)/smooth $(BUILD)/demo_mesh  ## smooth a small mesh into build/demo
 	@$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.vtu --quiet --report
 	@echo 'Open $(BUILD)/demo.vtu in ParaView or $(BUILD)/demo.obj in any viewer of meshes.'
 
-test: $(TESTS) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests, in double and in float; N3_SAMPLES=n scales them
-	@sh tests/run.sh $(TESTS) "sh tests/smooth_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
+test: $(TESTS) $(TOOLS) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests, in double and in float; N3_SAMPLES=n scales them
+	@sh tests/run.sh $(TESTS) "sh tests/smooth_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh" \
+	    "sh tests/files_test.sh $(BUILD)/smooth $(BUILD)/write_seeds $(BUILD)/dump"
+
+fuzz: $(BUILD)/fuzz  ## read broken files of every format under the sanitizers; FILES=n of them
+	@$(BUILD)/fuzz $(FILES)
 
 ledger:  ## every equation that the header cites has its test, and the reverse
 	@sh tests/ledger.sh
@@ -76,6 +85,12 @@ $(BUILD)/test_double $(BUILD)/test_float: $(TEST_SRC)
 	$(COMPILE) -Itests $(TEST_SRC) -lm
 $(BUILD)/smooth: $(SMOOTH)
 	$(COMPILE) $(SMOOTH) -lm
+$(BUILD)/dump: tests/fuzz/dump.c $(MESH)
+	$(COMPILE) -Iexamples $< $(MESH) -lm
+$(BUILD)/write_seeds: tests/fuzz/write_seeds.c $(SEEDS)
+	$(COMPILE) $< $(SEEDS)
+$(BUILD)/fuzz: tests/fuzz/fuzz.c $(SEEDS) $(FUZZ)
+	$(COMPILE) $(SANITIZE) -Iexamples -Dfree=sandbox_free $< $(SEEDS) $(FUZZ) -lm
 $(BUILD)/bench_double $(BUILD)/bench_float: bench/bench.c
 	$(COMPILE) $< -lm
 $(BUILD)/facts: bench/facts.c
@@ -90,8 +105,8 @@ $(BUILD)/%.svg: $(BUILD)/%
 	$< > $@.part && mv $@.part $@
 
 $(BUILD)/%_float: CPPFLAGS += -DNAGATA3_FLOAT
-$(PROGRAMS) $(TESTS) $(BUILD)/golden_gen: $(HEADERS) | $(BUILD)
+$(PROGRAMS) $(TOOLS) $(TESTS) $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(BUILD)
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test ledger dialects mutants bench facts golden figures install help clean
+.PHONY: all demo test fuzz ledger dialects mutants bench facts golden figures install help clean

@@ -30,12 +30,26 @@ static void keep(const char *data, size_t size, unsigned long number)
     fprintf(stderr, "fuzz: see %s\n", path);
 }
 
+static int run_worst(void)
+{
+    const seed *list;
+    const int seeds = seeds_make_worst(&list);
+    int i, faults = 0;
+    for (i = 0; i < seeds; i++) {
+        outcome o = sandbox_read(NULL, list[i].data, list[i].size, 0);
+        printf("fuzz: %s takes %.1f times its size\n", list[i].name,
+               (double)o.peak / (double)list[i].size);
+        faults += o.fault != NULL || !o.accepted;
+    }
+    return faults;
+}
+
 static int run(unsigned long count, unsigned long first)
 {
     static char data[MUTANT_MOST];
     const seed *list;
     const int seeds = seeds_make(&list);
-    unsigned long accepted = 0, faults = 0;
+    unsigned long accepted = 0, faults = (unsigned long)run_worst();
     for (current = first; current < first + count; current++) {
         size_t size = mutate(current, list, seeds, data);
         outcome o;

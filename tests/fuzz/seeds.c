@@ -638,7 +638,7 @@ static void stl(out *o)
 enum { MOST = 100 };
 
 static seed all[MOST];
-static int count;
+static int count, usual; /* usual: those that are no worst ones */
 
 static void keep(const out *o, const char *format, ...)
 {
@@ -724,14 +724,42 @@ static void make_others(int order)
     keep(&other, order == BIG ? "faces.obj" : "faces_%s.stl", orders[order]);
 }
 
+/* A triangle for each byte, and a few more than a power of two of them. */
+static void make_worst(void)
+{
+    const int n = (1 << 17) + 10;
+    out ply = with_order(LITTLE), vtk = with_order(BIG);
+    int i;
+    ply_head(&ply, "\n");
+    say(&ply, "element vertex 3\nproperty char x\nproperty char y\nproperty char z\n");
+    say(&ply, "element face 1\nproperty list int uchar vertex_index\nend_header\n");
+    say(&vtk, "# vtk DataFile Version 5.1\n\nBINARY\nDATASET POLYDATA\nPOINTS 3 char\n");
+    for (i = 0; i < 9; i++) number(&ply, int8, i % 4 == 3), number(&vtk, int8, i % 4 == 3);
+    number(&ply, int32, n);
+    say(&vtk, "\nTRIANGLE_STRIPS 2 %d\nOFFSETS int\n", n);
+    number(&vtk, int32, 0), number(&vtk, int32, n);
+    say(&vtk, "\nCONNECTIVITY char\n");
+    for (i = 0; i < n; i++) number(&ply, uint8, i % 3), number(&vtk, uint8, i % 3);
+    keep(&ply, "worst.ply");
+    keep(&vtk, "worst.vtk");
+}
+
 int seeds_make(const seed **seeds)
 {
     int i;
     *seeds = all;
-    if (count) return count;
+    if (usual) return usual;
     for (i = 0; i < 3; i++) make_others(i);
     for (i = 0; i < 16; i++) make_vtu(i);
     for (i = 0; i < 4; i++) make_vtk(i);
     for (i = 0; i < 12; i++) make_msh(i);
-    return count;
+    return usual = count;
+}
+
+int seeds_make_worst(const seed **seeds)
+{
+    const int first = seeds_make(seeds);
+    if (count == first) make_worst();
+    *seeds += first;
+    return count - first;
 }

@@ -14,4 +14,7 @@ typedef struct seed {
 /* The number of seeds; they are made once and never freed. */
 int seeds_make(const seed **list);
 
+/* Larger ones, of which readers need the most memory for a byte of the file. */
+int seeds_make_worst(const seed **list);
+
 #endif
