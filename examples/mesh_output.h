@@ -35,7 +35,7 @@ void put_separator(output *o, char c);
 int type_bytes(int type);
 
 /* Says on stderr how far the work is, where that is a terminal and it takes more than a second; the
-   next message overwrites it. done negative: not known. progress_hide() ends it and takes it away. */
+   next message overwrites it. done negative: not known. progress_hide() ends it. */
 void progress(const char *work, double done, double all);
 void progress_hide(void);
 

@@ -43,8 +43,8 @@ static const char help[] =
     "  -h, --help     this text\n"
     "  --version      the version\n"
     "\n"
-    "A polygon is split by a fan from its widest corner, the first of equal ones. Fields of points\n"
-    "are interpolated, those of cells, groups and numbers are handed on to all parts of a cell.\n"
+    "A polygon is split by a fan from its widest corner, the first of equal ones. Fields of\n"
+    "points are interpolated; those of cells, groups and numbers go to all parts of a cell.\n"
     "Exit status: 0, 1 for bad input or output, 2 for bad usage.\n";
 
 typedef struct options {
@@ -126,7 +126,8 @@ static int read_switch(options *o, const char *a)
 
 static int read_value(options *o, const char *a, const char *value)
 {
-    static const char *const known[] = {"-o", "-n", "--rule", "--crease", "--weld", "--tol", "--order"};
+    static const char *const known[] = {"-o",     "-n",    "--rule", "--crease",
+                                        "--weld", "--tol", "--order"};
     size_t i, n = sizeof known / sizeof *known;
     for (i = 0; i < n && strcmp(a, known[i]); i++) continue;
     if (i == n) return 0;

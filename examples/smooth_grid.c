@@ -42,7 +42,7 @@ static void grid_room(grid *g, unsigned with)
 
 /* ---- Fields ---- */
 
-/* Numbers of things have no mean: that of the next corner, the lower point where two are as near. */
+/* Numbers of things have no mean: that of the next corner, of two as near the lower point. */
 static double nearest(const grid *g, const field *f, int node, int component)
 {
     const int *point = g->mesh->triangle + 3 * g->parent[node];

@@ -18,7 +18,7 @@ typedef struct grid {
     n3_vec *node;
     int *element;        /* corners of each */
     int *origin;         /* of each, the triangle that it comes from */
-    int *first;          /* [edges + 1] of each edge, the first node; at last, the first one inside */
+    int *first;          /* [edges + 1] of each edge, the first node; then the first one inside */
     n3_vec *normal;      /* of facets, those of their patches */
     int *corner;         /* three of each */
     n3_vec *node_normal; /* their mean at a node */

@@ -41,7 +41,8 @@ const char *product_refuse(const request *r)
     if (!f) return "is none of .obj .stl .ply .vtu .vtk .msh .step";
     if (!f->write && (r->level || r->kind || r->tolerance > 0))
         return "holds the surface itself, not facets or elements";
-    if (r->kind > f->kinds) return f->kinds == FACETS ? "holds facets only" : "has no such elements";
+    if (r->kind > f->kinds)
+        return f->kinds == FACETS ? "holds facets only" : "has no such elements";
     if (r->text >= 0 && !(f->coding & (r->text ? TEXT : BYTES)))
         return r->text ? "is always binary" : "is always text";
     return NULL;

@@ -17,10 +17,7 @@ static double number_of(const numbering *n, int i)
     return n->id->value[n->row ? n->row[i] : i];
 }
 
-static int is_number(double x)
-{
-    return x >= 1 && x <= 2147483647.0 && !(floor(x) < x);
-}
+static int is_number(double x) { return x >= 1 && x <= 2147483647.0 && !(floor(x) < x); }
 
 /* Usable are positive ones that are all different. */
 static int usable(const numbering *n, int count)
@@ -109,7 +106,8 @@ static void put_elements(output *o, const grid *g, const numbering *nodes, const
     put_text(o, "$Elements\n");
     put_number(o, g->elements);
     put_text(o, "\n");
-    if (!output_is_text(o)) put_int(o, types[g->kind], ' '), put_int(o, g->elements, ' '), put_int(o, 2, '\n');
+    if (!output_is_text(o))
+        put_int(o, types[g->kind], ' '), put_int(o, g->elements, ' '), put_int(o, 2, '\n');
     for (i = 0; i < g->elements; i++) {
         const int *node = g->element + (size_t)i * (size_t)g->corners;
         if (i % 4096 == 0) progress("writing", i, g->elements);

@@ -100,7 +100,8 @@ static vertices make_vertices(grid *g)
     int *link = make_fans(g), *edge = node_edges(g), i;
     for (i = 0; i < g->nodes; i++) add_vertex(&v, i, NONE);
     for (i = 0; i < 3 * g->elements; i++) {
-        int at = vertex_of(&v, g->element[i], fan_of(g, link, edge, g->origin[i / 3], g->element[i]));
+        int at =
+            vertex_of(&v, g->element[i], fan_of(g, link, edge, g->origin[i / 3], g->element[i]));
         v.normal[at] = n3_add(v.normal[at], g->normal[g->corner[i]]);
         g->corner[i] = at;
     }
@@ -139,7 +140,8 @@ static void put_row(output *o, const array *list, int row)
 static void put_head(output *o, int vertex_count, const array *node_arrays, int faces,
                      const array *face_arrays)
 {
-    put_text(o, output_is_text(o) ? "ply\nformat ascii 1.0\n" : "ply\nformat binary_little_endian 1.0\n");
+    put_text(o, output_is_text(o) ? "ply\nformat ascii 1.0\n"
+                                  : "ply\nformat binary_little_endian 1.0\n");
     put_text(o, "element vertex ");
     put_number(o, vertex_count);
     put_text(o, "\nproperty double x\nproperty double y\nproperty double z\n"

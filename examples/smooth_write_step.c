@@ -15,12 +15,12 @@
 typedef struct step {
     output *o;
     const surface *s;
-    int last;                    /* the instance that was written last */
-    int point, vertex, curve;    /* of the first control point, point and edge */
-    int face;                    /* of the first triangle */
-    int components, *component;  /* of each triangle */
-    n3_real *volume;             /* that a component encloses; 0 if it is not closed */
-    int *around;                 /* the component in which it is a cavity, -1: none */
+    int last;                   /* the instance that was written last */
+    int point, vertex, curve;   /* of the first control point, point and edge */
+    int face;                   /* of the first triangle */
+    int components, *component; /* of each triangle */
+    n3_real *volume;            /* that a component encloses; 0 if it is not closed */
+    int *around;                /* the component in which it is a cavity, -1: none */
 } step;
 
 /* Instances for each edge and each triangle; the last of them is the curve, the face. */
@@ -86,7 +86,8 @@ static void put_edge(step *t, int edge)
                      "(0.,1.),.UNSPECIFIED.)",
                      point_of(t, end[0]), point_of(t, handle), point_of(t, handle + 1),
                      point_of(t, end[1]));
-    put_instance(t, "EDGE_CURVE('',#%d,#%d,#%d,.T.)", vertex_of(t, end[0]), vertex_of(t, end[1]), c);
+    put_instance(t, "EDGE_CURVE('',#%d,#%d,#%d,.T.)", vertex_of(t, end[0]), vertex_of(t, end[1]),
+                 c);
 }
 
 /* The rows of the net are the corner a, four times, two rows towards the opposite side, of which
@@ -117,7 +118,8 @@ static void put_face(step *t, int triangle)
     const int c0 = t->component[triangle], turned = t->volume[c0] < 0 && t->around[c0] < 0;
     int i, c, side[3], bound, on = put_surface(t, triangle);
     for (i = 0; i < 3; i++) {
-        int a = s->mesh.triangle[3 * triangle + i], b = s->mesh.triangle[3 * triangle + (i + 1) % 3];
+        int a = s->mesh.triangle[3 * triangle + i],
+            b = s->mesh.triangle[3 * triangle + (i + 1) % 3];
         c = t->curve + EDGE_INSTANCES * s->topology.edge[3 * triangle + i];
         side[i] = put_instance(t, "ORIENTED_EDGE('',*,*,#%d,%s)", c, a < b ? ".T." : ".F.");
     }
@@ -177,11 +179,13 @@ static void find_volumes(step *t)
     t->volume = allocate((size_t)t->components, sizeof *t->volume);
     for (i = 0; i < t->components; i++) closed[i] = 1;
     for (i = 0; i < s->topology.edges; i++)
-        if (s->flags[i] & open) closed[t->component[s->topology.side[s->topology.first[i]] / 3]] = 0;
+        if (s->flags[i] & open)
+            closed[t->component[s->topology.side[s->topology.first[i]] / 3]] = 0;
     for (i = 0; i < s->mesh.triangles; i++) {
         const int *v = s->mesh.triangle + 3 * i;
         n3_vec o = s->net[s->mesh.triangle[0]];
-        n3_vec a = n3_sub(s->net[v[0]], o), b = n3_sub(s->net[v[1]], o), c = n3_sub(s->net[v[2]], o);
+        n3_vec a = n3_sub(s->net[v[0]], o), b = n3_sub(s->net[v[1]], o),
+               c = n3_sub(s->net[v[2]], o);
         if (closed[t->component[i]]) t->volume[t->component[i]] += n3_dot(n3_cross(a, b), c) / 6;
     }
     free(closed);
@@ -254,8 +258,7 @@ static int *put_shells(step *t)
     const int n = t->s->mesh.triangles;
     int *shell = allocate((size_t)t->components, sizeof *shell), i, c;
     list *faces = allocate((size_t)t->components, sizeof *faces);
-    for (i = 0; i < n; i++)
-        list_add(&faces[t->component[i]], t->face + FACE_INSTANCES * i);
+    for (i = 0; i < n; i++) list_add(&faces[t->component[i]], t->face + FACE_INSTANCES * i);
     for (c = 0; c < t->components; c++) {
         int closed = t->volume[c] < 0 || t->volume[c] > 0;
         shell[c] = put_list(t, closed ? "CLOSED_SHELL('',(" : "OPEN_SHELL('',(", &faces[c], "))");
@@ -294,8 +297,7 @@ static bodies put_bodies(step *t, list *items)
         made.solids++;
     }
     made.sheets = sheets.count;
-    if (sheets.count)
-        list_add(items, put_list(t, "SHELL_BASED_SURFACE_MODEL('',(", &sheets, "))"));
+    if (sheets.count) list_add(items, put_list(t, "SHELL_BASED_SURFACE_MODEL('',(", &sheets, "))"));
     free(sheets.number);
     free(shell);
     return made;
@@ -356,7 +358,8 @@ static void put_product(step *t, const char *name, int representation)
     product = put_instance(t, "PRODUCT('%s','%s','',(#%d))", name, name, product);
     put_instance(t, "PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(#%d))", product);
     formation = put_instance(t, "PRODUCT_DEFINITION_FORMATION('','',#%d)", product);
-    definition = put_instance(t, "PRODUCT_DEFINITION_CONTEXT('part definition',#%d,'design')", context);
+    definition =
+        put_instance(t, "PRODUCT_DEFINITION_CONTEXT('part definition',#%d,'design')", context);
     definition = put_instance(t, "PRODUCT_DEFINITION('design','',#%d,#%d)", formation, definition);
     shape = put_instance(t, "PRODUCT_DEFINITION_SHAPE('','',#%d)", definition);
     put_instance(t, "SHAPE_DEFINITION_REPRESENTATION(#%d,#%d)", shape, representation);
@@ -379,7 +382,8 @@ bodies surface_write_step(output *o, const char *path, const surface *s)
     bodies made;
     char name[64];
     if (EDGE_INSTANCES * (double)s->topology.edges + FACE_INSTANCES * (double)s->mesh.triangles +
-            2.0 * s->nodes > INT_MAX - 1000)
+            2.0 * s->nodes >
+        INT_MAX - 1000)
         fail(path, 0, "too many triangles for STEP");
     t.o = o;
     t.s = s;

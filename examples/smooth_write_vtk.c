@@ -1,4 +1,5 @@
-/* VTU and legacy VTK. Text, or bytes: behind the XML of a VTU, little-endian; in a VTK, big-endian. */
+/* VTU and legacy VTK. Text, or bytes: behind the XML of a VTU, little-endian; in a VTK, big-endian.
+ */
 #include "smooth_grid.h"
 
 #include <stdlib.h>

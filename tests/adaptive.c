@@ -326,7 +326,8 @@ static void bound_of_a_facet(void)
 static void bound_is_sharp(void)
 {
     static const double h[10] = {0, 0, 0, -1, -1, -1, -1, -1, -1, -1.5};
-    static const double x[10] = {0, 3, 0, 1, 2, 2, 1, 0, 0, 1}, y[10] = {0, 0, 3, 0, 0, 1, 2, 2, 1, 1};
+    static const double x[10] = {0, 3, 0, 1, 2, 2, 1, 0, 0, 1};
+    static const double y[10] = {0, 0, 3, 0, 0, 1, 2, 2, 1, 1};
     n3i_spot s[3] = {{0, 0, 0}, {1, 1, 0}, {2, 0, 1}};
     n3_patch p;
     n3i_bend b;
@@ -444,7 +445,8 @@ static int level_for(const built *b, double distance, int patches)
         fine f = fine_evenly(b, level);
         for (good = 1, i = 0; i < patches; i++) {
             n3_patch p = built_patch(b, i);
-            good = good && off_patch(&p, &f, i * level * level, (i + 1) * level * level) <= distance;
+            int from = i * level * level;
+            good = good && off_patch(&p, &f, from, from + level * level) <= distance;
         }
         fine_free(&f);
     }
@@ -519,7 +521,7 @@ static void few_elsewhere(void)
 
 static void any_size(void)
 {
-    static const int exponents[] = {sizeof(n3_real) == 4 ? -20 : -200, sizeof(n3_real) == 4 ? 20 : 200};
+    const int exponents[] = {sizeof(n3_real) == 4 ? -20 : -200, sizeof(n3_real) == 4 ? 20 : 200};
     int i, k;
     for (i = 0; i < 2; i++) {
         shape s = shape_bracket(2), t = shape_bracket(2);
