@@ -260,8 +260,8 @@ static void add_values(reader *r, const array *a, int i)
     if (r->pieces == 0)
         field_add(list, fields, name, strlen(name), a->components, NULL)->whole =
             type_find(&a->text, types, a->type)->kind != 'f';
-    f = *list + i;
-    if (i >= *fields || strcmp(f->name, name) != 0 || f->components != a->components)
+    f = i < *fields ? *list + i : NULL;
+    if (!f || strcmp(f->name, name) != 0 || f->components != a->components)
         text_fail(&a->text, "the first piece has other arrays");
     for (j = 0; j < rows * a->components; j++) {
         const int k = before * f->components + j;

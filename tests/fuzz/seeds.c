@@ -638,7 +638,7 @@ static void stl(out *o)
 enum { MOST = 100 };
 
 static seed all[MOST];
-static int count, usual; /* usual: those that are no worst ones */
+static int count, seeds_made; /* the latter without the worst ones */
 
 static void keep(const out *o, const char *format, ...)
 {
@@ -748,12 +748,12 @@ int seeds_make(const seed **seeds)
 {
     int i;
     *seeds = all;
-    if (usual) return usual;
+    if (seeds_made) return seeds_made;
     for (i = 0; i < 3; i++) make_others(i);
     for (i = 0; i < 16; i++) make_vtu(i);
     for (i = 0; i < 4; i++) make_vtk(i);
     for (i = 0; i < 12; i++) make_msh(i);
-    return usual = count;
+    return seeds_made = count;
 }
 
 int seeds_make_worst(const seed **seeds)
