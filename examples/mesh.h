@@ -84,6 +84,7 @@ void mesh_read_vtu(const char *path, const char *data, size_t size, mesh *m);
 void mesh_read_vtk(const char *path, const char *data, size_t size, mesh *m);
 void mesh_read_msh(const char *path, const char *data, size_t size, mesh *m);
 int mesh_is_stl(const char *data, size_t size);
+int mesh_is_binary_stl(const char *data, size_t size);
 void mesh_free(mesh *m);
 
 /* Adds a triangle, its corners without normals, in group 0, of the cell with the number m->cells:
