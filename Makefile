@@ -6,16 +6,20 @@ PREFIX ?= /usr/local
 BUILD   = build
 
 COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic -I. $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@
-PROGRAMS = $(addprefix $(BUILD)/,smooth demo_mesh 01_point figure7 facts bench_double bench_float)
+EXAMPLES = smooth demo_mesh figure7 $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
+FIGURES  = facts scale accuracy bench_double bench_float
+PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) $(FIGURES))
 TESTS    = $(addprefix $(BUILD)/,test_double test_float)
 TOOLS    = $(addprefix $(BUILD)/,write_seeds dump)
-TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c))
+TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c)) $(wildcard bench/accuracy_m*.c \
+           bench/accuracy_surface.c)
 MESH     = $(wildcard examples/mesh*.c)
 SMOOTH   = $(wildcard examples/smooth*.c) $(MESH)
 SEEDS    = $(addprefix tests/fuzz/,mutate.c seeds.c)
 FUZZ     = tests/fuzz/sandbox.c $(filter-out examples/mesh_file.c,$(MESH))
 SANITIZE = -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
-HEADERS  = $(wildcard nagata3.h tests/*.h tests/fuzz/*.h examples/*.h)
+ACCURACY = $(wildcard bench/accuracy*.c)
+HEADERS  = $(wildcard nagata3.h tests/*.h tests/fuzz/*.h examples/*.h bench/*.h)
 VERSION  = $(shell sed -n 's/^.define NAGATA3_VERSION "\(.*\)"/\1/p' nagata3.h)
 LIB      = $(DESTDIR)$(PREFIX)/lib
 
@@ -27,9 +31,11 @@ demo: $(BUILD)/smooth $(BUILD)/demo_mesh  ## smooth a small mesh into build/demo
 	@$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.vtu --quiet --report
 	@echo 'Open $(BUILD)/demo.vtu in ParaView or $(BUILD)/demo.obj in any viewer of meshes.'
 
-test: $(TESTS) $(TOOLS) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests, in double and in float; N3_SAMPLES=n scales them
-	@sh tests/run.sh $(TESTS) "sh tests/smooth_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh" \
-	    "sh tests/files_test.sh $(BUILD)/smooth $(BUILD)/write_seeds $(BUILD)/dump"
+test: $(TESTS) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests; N3_SAMPLES=n scales them
+	@sh tests/run.sh $(TESTS) "sh tests/smooth_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
+
+files: $(TOOLS) $(BUILD)/smooth  ## every variant of every format that smooth reads
+	@sh tests/run.sh "sh tests/files_test.sh $(BUILD)/smooth $(BUILD)/write_seeds $(BUILD)/dump"
 
 fuzz: $(BUILD)/fuzz  ## read broken files of every format under the sanitizers; FILES=n of them
 	@$(BUILD)/fuzz $(FILES)
@@ -41,10 +47,17 @@ dialects:  ## the header alone, in every dialect of CC and CXX
 	@CC="$(CC)" CXX="$(CXX)" sh tests/compile/run.sh $(BUILD)/dialects
 
 mutants:  ## break the header in 60 places, the tests must notice; MUTANTS=--all for everywhere
-	@CC="$(CC)" python3 tests/mutants.py $(MUTANTS)
+	@CC="$(CC)" python3 tests/mutants.py $(MUTANTS) $(TEST_SRC)
 
-bench: $(BUILD)/bench_double $(BUILD)/bench_float  ## what each call costs, beside the plain way
+bench: $(BUILD)/bench_double $(BUILD)/bench_float $(BUILD)/scale  ## what calls and meshes cost
 	@$(BUILD)/bench_double $(ROUNDS) && $(BUILD)/bench_float $(ROUNDS)
+	@$(BUILD)/scale $(LARGEST)
+
+accuracy: $(BUILD)/accuracy  ## how far from surfaces that are known exactly
+	@$(BUILD)/accuracy $(SURFACES)
+
+sweep: $(BUILD)/accuracy  ## the constants that the paper leaves open, over the same surfaces
+	@$(BUILD)/accuracy --sweep
 
 facts: $(BUILD)/facts  ## the README's figures
 	@$(BUILD)/facts
@@ -85,6 +98,8 @@ $(BUILD)/test_double $(BUILD)/test_float: $(TEST_SRC)
 	$(COMPILE) -Itests $(TEST_SRC) -lm
 $(BUILD)/smooth: $(SMOOTH)
 	$(COMPILE) $(SMOOTH) -lm
+$(BUILD)/accuracy: $(ACCURACY)
+	$(COMPILE) $(ACCURACY) -lm
 $(BUILD)/dump: tests/fuzz/dump.c $(MESH)
 	$(COMPILE) -Iexamples $< $(MESH) -lm
 $(BUILD)/write_seeds: tests/fuzz/write_seeds.c $(SEEDS)
@@ -93,11 +108,11 @@ $(BUILD)/fuzz: tests/fuzz/fuzz.c $(SEEDS) $(FUZZ)
 	$(COMPILE) $(SANITIZE) -Iexamples -Dfree=sandbox_free $< $(SEEDS) $(FUZZ) -lm
 $(BUILD)/bench_double $(BUILD)/bench_float: bench/bench.c
 	$(COMPILE) $< -lm
-$(BUILD)/facts: bench/facts.c
-	$(COMPILE) $< -lm
 $(BUILD)/golden_gen: tests/golden_gen.c
 	$(CC) -O2 -o $@ $< -lquadmath -lm
 $(BUILD)/%: examples/%.c
+	$(COMPILE) $< -lm
+$(BUILD)/%: bench/%.c
 	$(COMPILE) $< -lm
 $(BUILD)/%.csv: $(BUILD)/%_gen
 	$< > $@.part && mv $@.part $@
@@ -105,8 +120,10 @@ $(BUILD)/%.svg: $(BUILD)/%
 	$< > $@.part && mv $@.part $@
 
 $(BUILD)/%_float: CPPFLAGS += -DNAGATA3_FLOAT
+$(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compiles in half the time
 $(PROGRAMS) $(TOOLS) $(TESTS) $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(BUILD)
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test fuzz ledger dialects mutants bench facts golden figures install help clean
+.PHONY: all demo test files fuzz ledger dialects mutants bench accuracy sweep facts golden figures \
+        install help clean

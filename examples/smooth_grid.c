@@ -1,7 +1,6 @@
 /* From the surface to elements, with the fields of the mesh carried along. */
 #include "smooth_grid.h"
 
-#include "adaptive.h"
 
 #include <limits.h>
 #include <stdlib.h>

@@ -348,16 +348,16 @@ static int put_axes(step *t)
 
 static void put_product(step *t, const char *name, int representation)
 {
-    int context, product, formation, definition, shape;
+    int context, part, formation, definition, shape;
     context = put_instance(t, "APPLICATION_CONTEXT('automotive design')");
     put_instance(t,
                  "APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000"
                  ",#%d)",
                  context);
-    product = put_instance(t, "PRODUCT_CONTEXT('',#%d,'mechanical')", context);
-    product = put_instance(t, "PRODUCT('%s','%s','',(#%d))", name, name, product);
-    put_instance(t, "PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(#%d))", product);
-    formation = put_instance(t, "PRODUCT_DEFINITION_FORMATION('','',#%d)", product);
+    part = put_instance(t, "PRODUCT_CONTEXT('',#%d,'mechanical')", context);
+    part = put_instance(t, "PRODUCT('%s','%s','',(#%d))", name, name, part);
+    put_instance(t, "PRODUCT_RELATED_PRODUCT_CATEGORY('part',$,(#%d))", part);
+    formation = put_instance(t, "PRODUCT_DEFINITION_FORMATION('','',#%d)", part);
     definition =
         put_instance(t, "PRODUCT_DEFINITION_CONTEXT('part definition',#%d,'design')", context);
     definition = put_instance(t, "PRODUCT_DEFINITION('design','',#%d,#%d)", formation, definition);

@@ -189,8 +189,8 @@ static void sphere_order(void)
         int angle_digits;
     } row[] = {{&paper, 0, 1.311e-2, 4, 6.03, 3}, {&paper, 1, 1.259e-3, 4, 1.04, 3},
                {&paper, 2, 8.94e-5, 3, 0.144, 3}, {&paper, 3, 5.78e-6, 3, 0.0185, 3},
-               {&arc, 0, 8.51e-4, 3, 0.207, 3},   {&arc, 1, 2.04e-5, 3, 0.011, 2},
-               {&arc, 2, 4.3e-7, 2, 0.0011, 2},   {&arc, 3, 2.5e-8, 2, 0.0002, 1}};
+               {&arc, 0, 8.51e-4, 3, 0.207, 3},   {&arc, 1, 2.04e-5, 3, 9.64e-3, 3},
+               {&arc, 2, 3.62e-7, 3, 3.55e-4, 3}, {&arc, 3, 5.86e-9, 3, 1.17e-5, 3}};
     double g = (1 + sqrt(5)) / 2;
     dvec a = d_unit(d_v(0, 1, g)), b = d_unit(d_v(g, 0, 1)), c = d_unit(d_v(1, g, 0));
     int i;
@@ -571,22 +571,24 @@ static void centre_is_pn(void)
     }
 }
 
-/* (6.1.10) - (A_ab v_c + A_bc v_a + A_ca v_b)/8, with x_i, v_i the corners and normals less their
- * means and A_ij = (<x_i, v_j> + <x_j, v_i>)/2 */
+/* (6.1.10) - K (A_ab v_c + A_bc v_a + A_ca v_b), with x_i, v_i the corners and normals less their
+ * means, A_ij = (<x_i, v_j> + <x_j, v_i>)/2 and K = (12 sum k^2 - 3)/64, k = 1/(1 + |n_i + n_j|/2) */
 static dvec arc_centre_along(const n3_edge e[3], const n3_vec n[3])
 {
     dvec x[3], v[3], xm = d_v(0, 0, 0), vm = d_v(0, 0, 0), C = d_v(0, 0, 0);
+    double K = -3. / 64;
     int i;
     for (i = 0; i < 3; i++) {
         xm = d_mix(1, xm, 1. / 3, wide(e[i].p[0]));
         vm = d_mix(1, vm, 1. / 3, wide(n[i]));
         C = d_mix(1, C, 1. / 4, d_add(wide(e[i].p[1]), wide(e[i].p[2])));
+        K += 12. / 64 / pow(1 + d_len(d_add(wide(n[i]), wide(n[(i + 1) % 3]))) / 2, 2);
     }
     for (i = 0; i < 3; i++) x[i] = d_sub(wide(e[i].p[0]), xm), v[i] = d_sub(wide(n[i]), vm);
     C = d_mix(1, C, -0.5, xm);
     for (i = 0; i < 3; i++) {
         double A = (d_dot(x[i], v[(i + 1) % 3]) + d_dot(x[(i + 1) % 3], v[i])) / 2;
-        C = d_mix(1, C, -A / 8, v[(i + 2) % 3]);
+        C = d_mix(1, C, -A * K, v[(i + 2) % 3]);
     }
     return C;
 }

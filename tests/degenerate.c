@@ -369,9 +369,21 @@ static void bad_parameters_give_bad_points(void)
         n3_edge_split(&e[0], bad[b], part);
         CHECK(is_bad(part[0].p[3]) && is_bad(part[1].p[0]), b);
     }
-    CHECK(is_nan_vec(n3_unit(n3_v((n3_real)NAN, 1, 0))), 0);
-    CHECK(is_nan_vec(n3_unit(n3_v(1, 0, (n3_real)NAN))), 1);
-    CHECK(isnan(n3_len(n3_v(2, (n3_real)NAN, 1))), 2);
+}
+
+/* A NaN in any place, beside zeros and beside larger numbers. */
+static void lengths_of_nan(void)
+{
+    int place, beside;
+    for (place = 0; place < 3; place++)
+        for (beside = 0; beside < 3; beside++) {
+            n3_real x[3];
+            x[place] = (n3_real)NAN;
+            x[(place + 1) % 3] = (n3_real)(beside == 1);
+            x[(place + 2) % 3] = (n3_real)(beside == 2);
+            CHECK(isnan(n3_len(n3_v(x[0], x[1], x[2]))), place);
+            CHECK(is_nan_vec(n3_unit(n3_v(x[0], x[1], x[2]))), place);
+        }
 }
 
 /* A bad control point spoils the normal everywhere inside. */
@@ -400,8 +412,9 @@ typedef struct option_row { double lo, hi, same_lo, same_hi; } option_row;
 
 /* What is not > 0 is the default, 1/10 and 10; hi is at least lo. */
 static const option_row option_rows[] = {
-    {0, 0, 0.1, 10},  {-1, -2, 0.1, 10}, {NO, NO, 0.1, 10}, {-INF, -INF, 0.1, 10}, {0.5, NO, 0.5, 10},
-    {NO, 2, 0.1, 2},  {1, 0.5, 1, 1},    {20, 0, 20, 20},   {0.25, -1, 0.25, 10},  {0, 0.01, 0.1, 0.1}};
+    {0, 0, 0.1, 10},     {-1, -2, 0.1, 10},     {NO, NO, 0.1, 10}, {-INF, -INF, 0.1, 10},
+    {0.5, NO, 0.5, 10},  {NO, 2, 0.1, 2},       {1, 0.5, 1, 1},    {20, 0, 20, 20},
+    {0.25, -1, 0.25, 10}, {0, 0.01, 0.1, 0.1}};
 
 static n3_options options(int rule, double lo, double hi)
 {
@@ -448,7 +461,8 @@ static void options_have_defaults(void)
  * ones no finite answer is asked, but none that is wrong. */
 static void extreme_clamps(void)
 {
-    static const double clamps[][2] = {{1e-30, 1e30}, {1e30, 1e30}, {1e-30, 1e-30}, {1, INF}, {INF, 1}};
+    static const double clamps[][2] = {
+        {1e-30, 1e30}, {1e30, 1e30}, {1e-30, 1e-30}, {1, INF}, {INF, 1}};
     long i, count = sample_count(10000);
     for (i = 0; i < count; i++) {
         sample s = sample_make(i);
@@ -590,6 +604,22 @@ static void degenerate_normals_are_limits(void)
     }
 }
 
+/* Flat, with exact coordinates: the triangle's normal holds out to a width of 8 EPS, in float an
+ * aspect of 1e6. */
+static void slivers_have_normals(void)
+{
+    double width;
+    for (width = 1; width > 8 * EPS; width *= 0.75) {
+        n3_vertex a = at(n3_v(0, 0, 0), n3_v(0, 0, 1)), b = a, c = a;
+        n3_patch p;
+        b.x.x = 1;
+        c.x = n3_v((n3_real)0.5, (n3_real)width, 0);
+        p = n3_patch_make(a, b, c, NULL);
+        CHECK_VEC(n3_patch_normal(&p, 0, 0), a.n, 2 * EPS, 0);
+        CHECK_VEC(n3_patch_normal(&p, (n3_real)0.25, (n3_real)0.5), a.n, 2 * EPS, 1);
+    }
+}
+
 /* All control points equal, anywhere: no normal, whatever the parameters. */
 static void points_have_no_normal(void)
 {
@@ -619,10 +649,12 @@ const test_case tests_degenerate[] = {
     {"one_bad_component_spoils_what_depends_on_it", one_bad_component_spoils_what_depends_on_it},
     {"bad_components_end", bad_components_end},
     {"bad_parameters_give_bad_points", bad_parameters_give_bad_points},
+    {"lengths_of_nan", lengths_of_nan},
     {"bad_nets_have_bad_normals", bad_nets_have_bad_normals},
     {"options_have_defaults", options_have_defaults},
     {"extreme_clamps", extreme_clamps},
     {"degenerate_normals", degenerate_normals},
     {"degenerate_normals_are_limits", degenerate_normals_are_limits},
+    {"slivers_have_normals", slivers_have_normals},
     {"points_have_no_normal", points_have_no_normal},
     {NULL, NULL}};

@@ -356,8 +356,11 @@ static vec polar_form(const vec x[3], const vec n[3])
 static vec centre_tangential(const vec *net, const vec n[3], vec coons)
 {
     vec x[3], w[3], x_mean = v(0, 0, 0), n_mean = x_mean;
+    quad stretch = 0;
     int i;
     for (i = 0; i < 3; i++) {
+        quad handle = 1 / (1 + length(add(n[i], n[(i + 1) % 3])) / 2);
+        stretch += handle * handle;
         x_mean = add(x_mean, mul((quad)1 / 3, net[i]));
         n_mean = add(n_mean, mul((quad)1 / 3, n[i]));
     }
@@ -365,7 +368,7 @@ static vec centre_tangential(const vec *net, const vec n[3], vec coons)
         x[i] = sub(net[i], x_mean);
         w[i] = sub(n[i], n_mean);
     }
-    return sub(coons, mul((quad)3 / 8, polar_form(x, w)));
+    return sub(coons, mul((stretch - (quad)1 / 4) * 9 / 16, polar_form(x, w)));
 }
 
 /* The part, along the wanted normal of side i, of the derivative across its middle. */

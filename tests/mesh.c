@@ -1,16 +1,9 @@
 /* Meshes: topology, normals, fields, the report, and what the calls answer to bad input. */
-#include "shapes.h"
+#include "built.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static void *memory(size_t count, size_t size)
-{
-    void *p = calloc(count + 1, size);
-    if (!p) abort();
-    return p;
-}
 
 /* ---- Topology ---- */
 
@@ -175,6 +168,13 @@ static void status_of_topology(void)
     }
 }
 
+/* A status without an item says -1. */
+static void check_status(n3_status got, n3_status want, int *item, long row)
+{
+    CHECK(got == want && *item == -1, row);
+    *item = 5;
+}
+
 static void status_of_pointers(void)
 {
     shape s = shape_icosphere(0);
@@ -182,21 +182,31 @@ static void status_of_pointers(void)
     const n3_mesh *m = &b.m;
     const n3_status null = N3_NULL_POINTER;
     size_t size = n3_mesh_workspace(m);
+    n3_vec *normal = b.normal;
     n3_topology t = b.t;
-    int item = 5, normals;
+    int k = 5, normals, *corner = b.corner;
     CHECK(n3_mesh_workspace(NULL) == 0, 0);
-    CHECK(n3_mesh_topology(m, b.work, size - 1, &t, &item) == N3_BAD_WORKSPACE && item == -1, 0);
-    CHECK(n3_mesh_topology(m, NULL, size, &t, NULL) == null, 0);
-    CHECK(n3_mesh_topology(m, b.work, size, NULL, NULL) == null, 0);
-    CHECK(n3_mesh_topology(NULL, b.work, size, &t, NULL) == null, 0);
-    CHECK(n3_mesh_normals(m, &t, 0, NULL, NULL, b.corner, &normals, NULL) == null, 0);
-    CHECK(n3_mesh_normals(m, &t, 0, NULL, b.normal, NULL, &normals, NULL) == null, 0);
-    CHECK(n3_mesh_normals(m, &t, 0, NULL, b.normal, b.corner, NULL, NULL) == null, 0);
-    CHECK(n3_mesh_net(m, NULL, NULL, b.net, NULL, NULL) == null, 0);
-    CHECK(n3_mesh_net(m, &t, NULL, NULL, b.flags, NULL) == null, 0);
-    CHECK(n3_mesh_refine(m, &t, NULL, 2, b.net, NULL, NULL, NULL, NULL, NULL) == null, 0);
+    check_status(n3_mesh_topology(m, b.work, size - 1, &t, &k), N3_BAD_WORKSPACE, &k, 1);
+    check_status(n3_mesh_topology(m, NULL, size, &t, &k), null, &k, 2);
+    check_status(n3_mesh_topology(m, b.work, size, NULL, &k), null, &k, 3);
+    check_status(n3_mesh_topology(NULL, b.work, size, &t, &k), null, &k, 4);
+    check_status(n3_mesh_normals(m, &t, 0, NULL, NULL, corner, &normals, &k), null, &k, 5);
+    check_status(n3_mesh_normals(m, &t, 0, NULL, normal, NULL, &normals, &k), null, &k, 6);
+    check_status(n3_mesh_normals(m, &t, 0, NULL, normal, corner, NULL, &k), null, &k, 7);
+    check_status(n3_mesh_net(m, NULL, NULL, b.net, NULL, &k), null, &k, 8);
+    check_status(n3_mesh_net(m, &t, NULL, NULL, b.flags, &k), null, &k, 9);
+    CHECK(n3_mesh_refine(m, &t, NULL, 2, b.net, NULL, NULL, NULL, NULL, NULL) == null, 10);
+    CHECK(n3_mesh_refine(m, &t, NULL, 2, NULL, NULL, b.net, NULL, NULL, NULL) == null, 11);
+    CHECK(n3_mesh_refine_counts(NULL, &t, 2, NULL, NULL, NULL) == null, 12);
+    CHECK(n3_mesh_refine_counts(m, NULL, 2, NULL, NULL, NULL) == null, 13);
     t.triangles--;
-    CHECK(n3_mesh_net(m, &t, NULL, b.net, NULL, NULL) == N3_BAD_COUNT, 0);
+    check_status(n3_mesh_net(m, &t, NULL, b.net, NULL, &k), N3_BAD_COUNT, &k, 14);
+    t = b.t;
+    t.points--;
+    check_status(n3_mesh_net(m, &t, NULL, b.net, NULL, &k), N3_BAD_COUNT, &k, 15);
+    t = b.t;
+    t.edges = 1073741824;
+    check_status(n3_mesh_net(m, &t, NULL, b.net, NULL, &k), N3_BAD_COUNT, &k, 16);
     built_free(&b);
     shape_free(&s);
 }
@@ -204,7 +214,7 @@ static void status_of_pointers(void)
 static void status_texts(void)
 {
     int i, k;
-    for (i = N3_OK; i <= N3_BAD_WORKSPACE; i++)
+    for (i = N3_OK; i <= N3_BAD_WORKSPACE + 1; i++) /* and one that is none */
         for (k = N3_OK; k < i; k++)
             CHECK(strcmp(n3_status_text((n3_status)i), n3_status_text((n3_status)k)) != 0, i);
 }
@@ -251,6 +261,23 @@ static void counts_overflow(void)
     CHECK(n3_mesh_workspace(&m) == 0, 0);
     t.edges = 1073741824;
     CHECK(n3_mesh_nodes(&m, &t) == 0, 0);
+}
+
+/* Normals that no corner names, and no normals at all, behind a pointer. */
+static void unnamed_normals(void)
+{
+    shape s = shape_icosphere(0);
+    int i, count;
+    for (i = 0; i < 3 * s.triangles; i++) s.corner[i] = -1 - i;
+    for (count = 12; count >= 0; count -= 12) {
+        built b;
+        s.normals = count;
+        b = build(&s, N3_RULE_PAPER, -1);
+        CHECK(b.m.normals == count + 12, count);
+        for (i = 0; i < 60; i++) CHECK(b.corner[i] >= count, count);
+        built_free(&b);
+    }
+    shape_free(&s);
 }
 
 static void empty_mesh(void)
@@ -446,11 +473,11 @@ static void normals_at_border(void)
 }
 
 /* Given normals keep their index and are made unit; unit ones keep their bits. The cone's apex has
-   none: its triangles share it, because at their other ends they agree. */
+   none: its triangles share it, because at their other ends they agree, sharp as its edges are. */
 static void normals_given(void)
 {
     shape s = shape_cone(12);
-    built b = build(&s, N3_RULE_PAPER, -1), c;
+    built b = build(&s, N3_RULE_PAPER, 0.99), c;
     int i;
     CHECK(b.m.normals == s.normals + 1, 0);
     for (i = 0; i < 3 * s.triangles; i++) {
@@ -461,11 +488,34 @@ static void normals_given(void)
     }
     for (i = 0; i < s.normals; i++)
         s.normal[i] = n3_mul((n3_real)(i % 2 ? 1e-9 : 7e8) * (n3_real)(i + 1), s.normal[i]);
-    c = build(&s, N3_RULE_PAPER, -1);
+    c = build(&s, N3_RULE_PAPER, 0.99);
     for (i = 0; i < s.normals; i++) CHECK_VEC(c.normal[i], b.normal[i], 4 * EPS, i);
     built_free(&c);
     built_free(&b);
     shape_free(&s);
+}
+
+/* At the cone's base each triangle has its own normals, that of its plane or, turned, the
+   neighbours' turned round: then at the apex it has its own as well. */
+static void normals_given_apart(void)
+{
+    int turned, i, c;
+    for (turned = 0; turned < 2; turned++) {
+        shape s = shape_cone(6);
+        built b;
+        shape_split_normals(&s);
+        for (i = 0; i < s.triangles; i += 2) {
+            const int *t = s.triangle + 3 * i;
+            n3_vec x = s.point[t[0]], d = n3_sub(s.point[t[1]], x);
+            n3_vec face = n3_unit(n3_cross(d, n3_sub(s.point[t[2]], x)));
+            if (turned) face = n3_v(0, 0, i % 4 ? 1 : -1);
+            for (c = 3 * i; c < 3 * i + 2; c++) s.normal[c] = face;
+        }
+        b = build(&s, N3_RULE_PAPER, -1);
+        CHECK(b.m.normals == s.normals + 6, turned);
+        built_free(&b);
+        shape_free(&s);
+    }
 }
 
 /* Two triangles back to back cancel: the one that comes first in order decides, not the first in
@@ -487,39 +537,106 @@ static void normals_that_cancel(void)
     }
 }
 
-/* A triangle b, a, m without area in the seam a, b of a flat quadrilateral, and of a folded one: it
-   goes with the triangle a, b, c beyond its longest side. Fans on a: one, or two; on m: one, or
-   that of the two below and, without a normal, that of the flat triangle. */
+/* A flat tetrahedron with its corners in order on a circle, where Max's sums cancel: at each corner
+   the largest of its triangles decides which way the normal looks, unless another one that looks
+   the other way is as large. */
+static void check_flat_tetrahedron(const n3_vec x[4], long row)
+{
+    static const int triangle[12] = {0, 1, 3, 1, 2, 3, 0, 2, 1, 0, 3, 2};
+    shape s = shape_sheets(4);
+    n3_real up[4] = {0, 0, 0, 0}, down[4] = {0, 0, 0, 0};
+    built b;
+    int c, f;
+    memcpy(s.triangle, triangle, sizeof triangle);
+    memcpy(s.point, x, 4 * sizeof *x);
+    s.point[4] = n3_v(9999, 0, 0);
+    s.points = 5;
+    b = build(&s, N3_RULE_PAPER, -1);
+    for (c = 0; c < 12; c++) {
+        const int *t = triangle + c - c % 3;
+        n3_vec n = n3_cross(n3_sub(x[t[1]], x[t[0]]), n3_sub(x[t[2]], x[t[0]]));
+        f = triangle[c];
+        if (n.z > up[f]) up[f] = n.z;
+        if (-n.z > down[f]) down[f] = -n.z;
+    }
+    CHECK(b.m.normals == 4, row);
+    for (c = 0; c < 12; c++) {
+        n3_vec n = b.normal[b.corner[c]];
+        f = triangle[c];
+        if (up[f] > down[f]) CHECK_SAME(n, n3_v(0, 0, 1), row);
+        if (up[f] < down[f]) CHECK_SAME(n, n3_v(0, 0, -1), row);
+    }
+    built_free(&b);
+    shape_free(&s);
+}
+
+static void normals_of_flat_tetrahedra(void)
+{
+    static const n3_vec circle[12] = {{5, 0, 0},   {4, 3, 0},   {3, 4, 0},   {0, 5, 0},
+                                      {-3, 4, 0},  {-4, 3, 0},  {-5, 0, 0},  {-4, -3, 0},
+                                      {-3, -4, 0}, {0, -5, 0},  {3, -4, 0},  {4, -3, 0}};
+    int set, k;
+    for (set = 0; set < 1 << 12; set++) {
+        n3_vec x[4];
+        int count = 0;
+        for (k = 0; k < 12; k++)
+            if (set >> k & 1 && count++ < 4) x[count - 1] = circle[k];
+        if (count == 4) check_flat_tetrahedron(x, set);
+    }
+}
+
+/* A triangle b, a, m without area in the seam a, b of a flat quadrilateral, and of a folded one,
+   begun at each of its corners, first or last of four: it goes with the triangle a, b, c beyond its
+   longest side. Fans on a: one, or two; on m: one, or that of the two below and, without a normal,
+   that of the flat triangle. */
 static void normals_beside_flat_triangle(void)
 {
-    static const int triangle[12] = {0, 1, 2, 1, 0, 3, 3, 0, 4, 1, 3, 4};
-    n3_vec point[5], normal[12];
-    int fold, i, work[64], corner[12], normals, zero;
-    n3_mesh m;
-    n3_topology t;
-    memset(&m, 0, sizeof m);
-    point[0] = n3_v(0, 0, 0);
-    point[1] = n3_v(2, 0, 0);
-    point[2] = n3_v(1, 1, 0);
-    point[3] = n3_v(1, 0, 0);
-    m.points = 5;
-    m.point = &point[0].x;
-    m.triangles = 4;
-    m.triangle = triangle;
-    for (fold = 0; fold < 2; fold++) {
+    static const int flat[5] = {1, 0, 3, 1, 0};
+    int row, i;
+    for (row = 0; row < 12; row++) {
+        int triangle[15] = {0, 0, 0, 0, 1, 2, 3, 0, 4, 1, 3, 4}, *first = triangle + row / 6 * 3;
+        int fold = row / 3 % 2, zero = 0;
+        shape s = shape_sheets(4);
         n3_vec below = fold ? n3_v(0, -1, 0) : n3_v(0, 0, 1);
-        point[4] = fold ? n3_v(1, 0, -1) : n3_v(1, -1, 0);
-        CHECK(n3_mesh_topology(&m, work, sizeof work, &t, NULL) == N3_OK, fold);
-        CHECK(n3_mesh_normals(&m, &t, (n3_real)1 / 2, NULL, normal, corner, &normals, NULL) ==
-                  N3_OK,
-              fold);
-        CHECK(normals == (fold ? 8 : 5), fold);
-        for (i = zero = 0; i < normals; i++) zero += same_vec(normal[i], n3_v(0, 0, 0));
-        CHECK(zero == fold, fold);
-        for (i = 0; i < 5; i++)
-            if (triangle[i] != 3) CHECK_VEC(normal[corner[i]], n3_v(0, 0, 1), 2 * EPS, i);
-        for (i = 6; i < 12; i++) CHECK_VEC(normal[corner[i]], below, 2 * EPS, i);
+        built b;
+        s.points = 5;
+        s.point[0] = n3_v(0, 0, 0);
+        s.point[1] = n3_v(2, 0, 0);
+        s.point[2] = n3_v(1, 1, 0);
+        s.point[3] = n3_v(1, 0, 0);
+        s.point[4] = fold ? n3_v(1, 0, -1) : n3_v(1, -1, 0);
+        memcpy(triangle, flat + row % 3, 3 * sizeof(int));
+        memcpy(triangle + 12, flat + row % 3, 3 * sizeof(int));
+        memcpy(s.triangle, first, 12 * sizeof(int));
+        b = build(&s, N3_RULE_PAPER, 0.5);
+        CHECK(b.m.normals == (fold ? 8 : 5), row);
+        for (i = 0; i < b.m.normals; i++) zero += same_vec(b.normal[i], n3_v(0, 0, 0));
+        CHECK(zero == fold, row);
+        for (i = 0; i < 12; i++) {
+            int under = first + i >= triangle + 6 && first + i < triangle + 12;
+            if (first[i] == 3 && !under) continue; /* the flat one at m */
+            CHECK_VEC(b.normal[b.corner[i]], under ? below : n3_v(0, 0, 1), 2 * EPS, row);
+        }
+        built_free(&b);
+        shape_free(&s);
     }
+}
+
+/* Triangles on a line have no normal to tell a crease by: it is one between any two of them, unless
+   marks alone are asked for. All normals are zero. */
+static void normals_on_line(void)
+{
+    shape s = shape_icosphere(0);
+    int i, k;
+    shape_drop_normals(&s);
+    for (i = 0; i < s.points; i++) s.point[i] = n3_mul((n3_real)i, n3_v(1, 2, 3));
+    for (k = 0; k < 2; k++) {
+        built b = build(&s, N3_RULE_PAPER, k ? -1 : -0.99);
+        CHECK(b.m.normals == (k ? 12 : 60), k);
+        for (i = 0; i < b.m.normals; i++) CHECK_SAME(b.normal[i], n3_v(0, 0, 0), k);
+        built_free(&b);
+    }
+    shape_free(&s);
 }
 
 /* Scaling by a power of two changes no bit, up to the largest and down to the smallest sizes. */
@@ -580,7 +697,7 @@ static void check_field(int degree, rng *r)
     enum { LEVEL = 4 };
     shape s = shape_soup(9, 8, r);
     built b;
-    int i, k, nodes, points, *parent;
+    int i, k, nodes, points, *parent, used[400] = {0};
     n3_vec place[200];
     n3_real nodal[400], *uv, *out;
     for (i = 0; i < s.points; i++) s.point[i].z = 0;
@@ -594,11 +711,14 @@ static void check_field(int degree, rng *r)
     parent = memory((size_t)points, sizeof *parent);
     uv = memory(2 * (size_t)points, sizeof *uv);
     out = memory(2 * (size_t)points, sizeof *out);
+    for (i = 0; i < points; i++) parent[i] = -5;
     CHECK(n3_mesh_refine(&b.m, &b.t, b.net, LEVEL, NULL, NULL, NULL, NULL, parent, uv) == N3_OK,
           degree);
     CHECK(n3_mesh_field(&b.m, &b.t, degree, 2, nodal, parent, uv, points, out) == N3_OK, degree);
+    for (i = 0; i < 3 * s.triangles; i++) used[s.triangle[i]] = 1;
     for (i = 0; i < points; i++) {
         n3_vec x = b.net[i < s.points ? i : 0];
+        CHECK(parent[i] >= 0 ? i >= s.points || used[i] : parent[i] == -1 && !used[i], degree);
         if (parent[i] >= 0) {
             n3_patch p = built_patch(&b, parent[i]);
             n3_real u = uv[2 * i], v = uv[2 * i + 1];
@@ -624,21 +744,38 @@ static void fields_of_polynomials(void)
     for (i = 0; i < count; i++) check_field(1 + (int)(i % 3), &r);
 }
 
+/* All of count parents the same: a triangle of the cube, which has 8 points and 12 triangles, or -1
+   for points in none. given: the values are. */
 static void fields_refused(void)
 {
+    static const struct {
+        int degree, components, parent, count, given;
+        n3_status status;
+    } rows[] = {{1, 1, 11, 9, 1, N3_OK},          {1, 1, -1, 8, 1, N3_OK},
+                {1, 0, 11, 9, 1, N3_OK},          {3, 1, 11, 0, 0, N3_OK},
+                {0, 1, 11, 9, 1, N3_BAD_COUNT},   {4, 1, 11, 9, 1, N3_BAD_COUNT},
+                {1, -1, 11, 9, 1, N3_BAD_COUNT},  {1, 1, 11, -1, 1, N3_BAD_COUNT},
+                {1, 1, 12, 9, 1, N3_BAD_COUNT},   {1, 1, -1, 9, 1, N3_BAD_COUNT},
+                {1, 1, 11, 9, 0, N3_NULL_POINTER}};
     shape s = shape_cube();
     built b = build(&s, N3_RULE_PAPER, -1);
-    n3_real nodal[8] = {0}, uv[2] = {0}, out[1];
-    static const struct {
-        int degree, parent, at, status;
-    } rows[] = {{1, 11, 0, N3_OK},        {0, 11, 0, N3_BAD_COUNT}, {4, 11, 0, N3_BAD_COUNT},
-                {1, 12, 0, N3_BAD_COUNT}, {1, -1, 0, N3_OK},        {1, -1, 1, N3_NULL_POINTER}};
     size_t i;
+    int k;
     for (i = 0; i < sizeof rows / sizeof *rows; i++) {
-        const n3_real *from = rows[i].at ? NULL : nodal;
-        CHECK((int)n3_mesh_field(&b.m, &b.t, rows[i].degree, 1, from, &rows[i].parent, uv, 1,
-                                 out) == rows[i].status,
-              i);
+        n3_real nodal[8], uv[18] = {0}, out[10];
+        int parent[9], count = rows[i].count;
+        n3_status got;
+        for (k = 0; k < 9; k++) parent[k] = rows[i].parent;
+        for (k = 0; k < 10; k++) out[k] = 77;
+        for (k = 0; k < 8; k++) nodal[k] = (n3_real)k;
+        got = n3_mesh_field(&b.m, &b.t, rows[i].degree, rows[i].components,
+                            rows[i].given ? nodal : NULL, parent, uv, count, out);
+        CHECK(got == rows[i].status, i);
+        for (k = 0; k < 10; k++) {
+            int same = got != N3_OK || k >= count || rows[i].components == 0;
+            int want = same ? 77 : rows[i].parent < 0 ? k : b.m.triangle[3 * 11];
+            CHECK_NEAR(out[k], want, 0, i);
+        }
     }
     built_free(&b);
     shape_free(&s);
@@ -673,7 +810,7 @@ static void report_counts(void)
     static const struct {
         shape (*make)(int);
         int n, edges, border, non_manifold, flipped, crease, half, collapsed, duplicate, back;
-    } rows[] = {{shape_bracket, 3, 288, 0, 0, 0, 64, 0, 0, 0, 0},
+    } rows[] = {{shape_bracket, 3, 360, 0, 0, 0, 80, 0, 0, 0, 0},
                 {shape_icosphere, 1, 120, 0, 0, 0, 0, 0, 0, 0, 0},
                 {shape_cone, 8, 24, 0, 0, 0, 8, 0, 0, 0, 0},
                 {shape_moebius, 9, 63, 18, 0, 2, 1, 1, 0, 0, 0},
@@ -705,6 +842,24 @@ static void report_counts(void)
     }
 }
 
+/* The smallest numbers that are not none. */
+static void report_of_one(void)
+{
+    n3_vec x = {1, 2, 3};
+    int triangle[3] = {0, 0, 0};
+    n3_mesh m;
+    n3_report r;
+    memset(&m, 0, sizeof m);
+    m.points = m.triangles = m.normals = 1;
+    m.point = m.normal = &x.x;
+    m.triangle = triangle;
+    r = n3_mesh_report(&m, NULL, NULL, NULL);
+    CHECK(r.points == 1 && r.triangles == 1 && r.normals == 1 && r.collapsed_triangles == 1, 0);
+    m.points = m.triangles = m.normals = -1;
+    r = n3_mesh_report(&m, NULL, NULL, NULL);
+    CHECK(r.points == 0 && r.triangles == 0 && r.normals == 0 && r.collapsed_triangles == 0, 1);
+}
+
 /* A mesh with one of each fault, and what is left unknown without its topology. */
 static void report_of_faults(void)
 {
@@ -718,12 +873,13 @@ static void report_of_faults(void)
     s.triangle[0] = -1;
     s.triangle[4] = 42;
     s.triangle[5] = 2147483647;
+    s.triangle[9] = 99;
     s.corner[6] = 42;
     s.corner[9] = -5;
     s.triangle[12] = s.triangle[13];
     m = shape_mesh(&s);
     r = n3_mesh_report(&m, NULL, NULL, NULL);
-    CHECK(r.bad_points == 2 && r.bad_normals == 1 && r.bad_triangles == 2 && r.bad_corners == 1, 0);
+    CHECK(r.bad_points == 2 && r.bad_normals == 1 && r.bad_triangles == 3 && r.bad_corners == 1, 0);
     CHECK(r.collapsed_triangles == 1 && r.zero_normals >= 3, 0);
     CHECK(r.edges == -1 && r.border_edges == -1 && r.unused_points == -1, 0);
     CHECK(r.crease_edges == -1 && r.folding_patches == -1 && r.jump_edge == -1, 0);
@@ -800,47 +956,157 @@ static void report_measures(void)
     shape_free(&flat);
 }
 
-/* A flat patch with a control point pulled across the opposite side folds; and no patch that is
-   said not to fold has, on a lattice, a normal that turns away from the others. */
+/* A patch near the flat one over (0, 0), (1, 0), (0, 1), its points moved by up to reach. */
+static n3_patch shaken_patch(rng *r, n3_real reach)
+{
+    n3_vec z = n3_v(0, 0, 1);
+    n3_vertex a = {{0, 0, 0}, {0, 0, 0}}, b = {{1, 0, 0}, {0, 0, 0}}, c = {{0, 1, 0}, {0, 0, 0}};
+    n3_patch p;
+    int k;
+    a.n = b.n = c.n = z;
+    p = n3_patch_make(a, b, c, NULL);
+    for (k = 0; k < 10; k++) p.p[k] = n3_add(p.p[k], n3_mul(reach, rng_vec(r)));
+    return p;
+}
+
+/* The net of the normal is the polynomial 9 sum net[i][j] u^i v^j w^k, i + j + k = 4. Its terms
+   are below 4, there are 36 of them. */
+static void net_of_normal(void)
+{
+    rng r = {14};
+    long q, count = sample_count(500);
+    for (q = 0; q < count; q++) {
+        n3_patch p = shaken_patch(&r, (n3_real)1 / 2);
+        n3_vec net[5][5], sum = n3_v(0, 0, 0);
+        n3_real u = (n3_real)rng_uniform(&r, 0, 1), v = (1 - u) * (n3_real)rng_uniform(&r, 0, 1);
+        n3_jet jet = n3_patch_jet(&p, u, v);
+        int i, j, k;
+        n3i_normal_net(&p, net);
+        for (i = 0; i < 5; i++)
+            for (j = 0; i + j < 5; j++) {
+                n3_real weight = 9;
+                for (k = 0; k < 4; k++) weight *= k < i ? u : k < i + j ? v : 1 - u - v;
+                sum = n3_add(sum, n3_mul(weight, net[i][j]));
+            }
+        CHECK_VEC(sum, n3_cross(jet.du, jet.dv), 9 * 36 * 4 * EPS, q);
+    }
+}
+
+/* The middle pulled out of the triangle folds the patch; and no patch that is said not to fold has,
+   on a lattice, a normal that turns away from the sum of its net. */
 static void folds(void)
 {
     rng r = {5};
     long i, count = sample_count(2000);
-    n3_patch p;
-    n3_vertex a, b, c;
-    a.n = b.n = c.n = n3_v(0, 0, 1);
-    a.x = n3_v(0, 0, 0);
-    b.x = n3_v(1, 0, 0);
-    c.x = n3_v(0, 1, 0);
-    p = n3_patch_make(a, b, c, NULL);
+    int u, v, sound = 0;
+    n3_patch p = shaken_patch(&r, 0);
     CHECK(!n3_patch_may_fold(&p), 0);
     p.p[9] = n3_v(2, 2, 0);
     CHECK(n3_patch_may_fold(&p), 1);
     for (i = 0; i < count; i++) {
-        n3_patch q = n3_patch_make(a, b, c, NULL);
-        n3_vec first;
-        int k, u, v;
-        for (k = 0; k < 10; k++)
-            q.p[k] = n3_add(q.p[k], n3_mul((n3_real)(i % 5 + 1) / 25, rng_vec(&r)));
+        n3_patch q = shaken_patch(&r, (n3_real)(i % 5 + 1) / 25);
+        n3_vec net[5][5], sum = n3_v(0, 0, 0);
         if (n3_patch_may_fold(&q)) continue;
-        first = n3_v(0, 0, 0);
+        sound++;
+        n3i_normal_net(&q, net);
+        for (u = 0; u <= 4; u++)
+            for (v = 0; u + v <= 4; v++) sum = n3_add(sum, net[u][v]);
         for (u = 0; u <= 8; u++)
             for (v = 0; u + v <= 8; v++) {
-                n3_jet j = n3_patch_jet(&q, (n3_real)u / 8, (n3_real)v / 8);
-                first = n3_add(first, n3_cross(j.du, j.dv));
+                n3_vec n = n3_patch_normal(&q, (n3_real)u / 8, (n3_real)v / 8);
+                CHECK(n3_dot(n, sum) > 0, i);
             }
-        for (u = 0; u <= 8; u++)
-            for (v = 0; u + v <= 8; v++)
-                CHECK(n3_dot(n3_patch_normal(&q, (n3_real)u / 8, (n3_real)v / 8), first) > 0, i);
+    }
+    CHECK(sound > count / 5, sound);
+}
+
+/* A point in no triangle keeps its place and has no parent and no parameters. */
+static void unused_points_refined(void)
+{
+    static const n3_real point[4][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 6, 7}};
+    static const int triangle[3] = {0, 1, 2};
+    n3_mesh m = {4, 1, 0, &point[0][0], 0, triangle, 0, NULL, 0, NULL, 0};
+    n3_topology t;
+    n3_vec net[4 + 6 + 1], fine[7];
+    int work[32], parent[7];
+    n3_real uv[14];
+    CHECK(n3_mesh_topology(&m, work, sizeof work, &t, NULL) == N3_OK, 0);
+    CHECK(n3_mesh_net(&m, &t, NULL, net, NULL, NULL) == N3_OK, 0);
+    CHECK(n3_mesh_refine(&m, &t, net, 2, fine, NULL, NULL, NULL, parent, uv) == N3_OK, 0);
+    CHECK_SAME(fine[3], n3_v(5, 6, 7), 0);
+    CHECK(parent[3] == -1 && parent[4] == 0, 0);
+    CHECK(same_real(uv[6], 0) && same_real(uv[7], 0), 0);
+}
+
+/* The largest jump at a smooth edge is looked for along all of it: it is the same when the two
+ * triangles change places, so that its quarters are met in reverse. */
+static void jump_from_both_ends(void)
+{
+    static const int triangles[2][6] = {{0, 1, 2, 1, 0, 3}, {1, 0, 3, 0, 1, 2}};
+    static const double place[4][2] = {{0, 0}, {1, 0}, {0.5, 1}, {0.5, -1}};
+    rng r = {77};
+    long i, count = sample_count(500);
+    for (i = 0; i < count; i++) {
+        n3_vec point[4], normal[4];
+        n3_real jump[2];
+        int k, way;
+        for (k = 0; k < 4; k++) {
+            n3_vec lean = n3_mul((n3_real)1 / 4, rng_vec(&r));
+            point[k] = n3_v((n3_real)place[k][0], (n3_real)place[k][1], lean.z);
+            normal[k] = n3_unit(n3_v(lean.x, lean.y, 1));
+        }
+        for (way = 0; way < 2; way++) {
+            n3_mesh m = {4, 2, 4, NULL, 0, NULL, 0, NULL, 0, NULL, 0};
+            n3_topology t;
+            n3_vec net[4 + 10 + 2];
+            unsigned flags[5];
+            int work[64];
+            m.point = &point[0].x;
+            m.triangle = triangles[way];
+            m.normal = &normal[0].x;
+            CHECK(n3_mesh_topology(&m, work, sizeof work, &t, NULL) == N3_OK, i);
+            CHECK(n3_mesh_net(&m, &t, NULL, net, flags, NULL) == N3_OK, i);
+            jump[way] = n3_mesh_report(&m, &t, net, flags).jump;
+        }
+        /* The normals' error, 28 eps over the sine of du and dv, which is above 1/8 here. */
+        CHECK_NEAR(jump[0], jump[1], 2 * 8 * 28 * EPS, i);
     }
 }
 
-const test_case tests_mesh[] = {{"topology_of_soup", topology_of_soup},
+/* What stands in the arrays before does not matter: three fans of one corner, three normals. */
+static void normals_into_used_room(void)
+{
+    static const n3_real point[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    static const int triangle[3] = {0, 1, 2};
+    n3_mesh m = {3, 1, 0, &point[0][0], 0, triangle, 0, NULL, 0, NULL, 0};
+    n3_topology t;
+    n3_vec normal[3];
+    int work[32], corner[3] = {2147483647, 2147483647, 2147483647}, normals = 0;
+    CHECK(n3_mesh_topology(&m, work, sizeof work, &t, NULL) == N3_OK, 0);
+    CHECK(n3_mesh_normals(&m, &t, -1, NULL, normal, corner, &normals, NULL) == N3_OK, 0);
+    CHECK(normals == 3 && corner[0] == 0 && corner[1] == 1 && corner[2] == 2, normals);
+}
+
+/* A thin triangle that looks down does not fold: nothing but the patch decides. */
+static void thin_patch_does_not_fold(void)
+{
+    n3_vertex a = {{0, 0, 0}, {0, 0, -1}}, b = {{0, (n3_real)0.001, 0}, {0, 0, -1}};
+    n3_vertex c = {{1, 0, 0}, {0, 0, -1}};
+    n3_patch p = n3_patch_make(a, b, c, NULL);
+    CHECK(!n3_patch_may_fold(&p), 0);
+}
+
+const test_case tests_mesh[] = {{"unused_points_refined", unused_points_refined},
+                                {"jump_from_both_ends", jump_from_both_ends},
+                                {"thin_patch_does_not_fold", thin_patch_does_not_fold},
+                                {"normals_into_used_room", normals_into_used_room},
+                                {"topology_of_soup", topology_of_soup},
                                 {"status_of_faults", status_of_faults},
                                 {"status_of_topology", status_of_topology},
                                 {"status_of_pointers", status_of_pointers},
                                 {"status_texts", status_texts},
                                 {"counts_overflow", counts_overflow},
+                                {"unnamed_normals", unnamed_normals},
                                 {"empty_mesh", empty_mesh},
                                 {"strides", strides},
                                 {"normals_on_sphere", normals_on_sphere},
@@ -848,14 +1114,19 @@ const test_case tests_mesh[] = {{"topology_of_soup", topology_of_soup},
                                 {"normals_counted", normals_counted},
                                 {"normals_at_border", normals_at_border},
                                 {"normals_given", normals_given},
+                                {"normals_given_apart", normals_given_apart},
                                 {"normals_that_cancel", normals_that_cancel},
+                                {"normals_of_flat_tetrahedra", normals_of_flat_tetrahedra},
                                 {"normals_beside_flat_triangle", normals_beside_flat_triangle},
+                                {"normals_on_line", normals_on_line},
                                 {"normals_scaled", normals_scaled},
                                 {"fields_of_polynomials", fields_of_polynomials},
                                 {"fields_refused", fields_refused},
                                 {"report_counts", report_counts},
+                                {"report_of_one", report_of_one},
                                 {"report_of_faults", report_of_faults},
                                 {"report_of_garbage", report_of_garbage},
                                 {"report_measures", report_measures},
+                                {"net_of_normal", net_of_normal},
                                 {"folds", folds},
                                 {NULL, NULL}};

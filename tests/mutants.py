@@ -3,7 +3,8 @@
 
 A mutant is the header with one operator or one number changed in the body of a function. Each
 file of tests is built against it and run by itself, in double, then in float, until one of them
-fails, crashes or hangs. A mutant that does not compile does not count; another one is drawn.
+fails, crashes or hangs. A mutant that does not compile does not count; another one is drawn. The
+draw is by a hash of the changed line, so that it stays the same where the header stays the same.
 tests/mutants.txt lists the mutants that cannot be told from the header, each with the reason.
 Exit status 1: another mutant survived, or a line of that list fits none.
 """
@@ -11,9 +12,10 @@ Exit status 1: another mutant survived, or a line of that list fits none.
 import argparse
 import concurrent.futures
 import functools
+import hashlib
+import itertools
 import os
 import pathlib
-import random
 import re
 import shlex
 import subprocess
@@ -30,7 +32,8 @@ SWAPS = {
     "||": "&&", "!": "", "&": "|", "|": "&", "<<": ">>", ">>": "<<",
 }
 TOKEN = re.compile(r"->|\+\+|--|<<=|>>=|<<|>>|[-+*/%&|<>=!]=|&&|\|\||\w+(?:\.\w*)?|\S")
-FLAGS = "-std=c99 -O1 -w -Itests -fsanitize=bounds -fsanitize-undefined-trap-on-error -x c".split()
+LEVELS = ("-O0", "-O1")
+FLAGS = "-std=c99 -w -Itests -fsanitize=bounds -fsanitize-undefined-trap-on-error -x c".split()
 TYPE = r"\b(?:n3i?_\w+|int|char|unsigned|const)"
 
 
@@ -39,7 +42,10 @@ def functions(text):
     blank = functools.partial(re.sub, r"[^\n]", " ")
     text = re.sub(r"/\*.*?\*/", lambda m: blank(m.group()), text, flags=re.S)
     text = re.sub(r"^[ \t]*#(?:.*\\\n)*.*$", lambda m: blank(m.group()), text, flags=re.M)
+    end = 0
     for head in re.finditer(r"\b(n3i?_\w+)\s*\([^;{}]*\)\s*\{", text):
+        if head.start() < end:
+            continue
         depth, end = 1, head.end()
         while depth:
             depth += {"{": 1, "}": -1}.get(text[end], 0)
@@ -51,7 +57,9 @@ def declares(before, token):
     """The token is part of a declaration: a pointer's star or an array's size."""
     if token == "*":
         return re.search(TYPE + r"\s*$", before)
-    return token.isdigit() and re.search(TYPE + r"\s[^;()=]*\[$", before)
+    statement = re.split(r"[;{}]", before)[-1].strip()
+    declared = re.search(r"(,|" + TYPE + r")\s*\w+(\[\w*\])*\[$", statement)
+    return token.isdigit() and declared and re.match(r"(static\s+)?" + TYPE, statement)
 
 
 def places(text):
@@ -69,67 +77,93 @@ class Mutant:
         name, offset, old, new = place
         number = text.count("\n", 0, offset)
         self.text = text[:offset] + new + text[offset + len(old) :]
-        self.key = name + ": " + self.text.split("\n")[number].strip()
+        line = re.sub(r"/\*.*?\*/", "", self.text.split("\n")[number])
+        self.key = name + ": " + " ".join(line.split())
+        self.line = number + 1
         self.title = f"nagata3.h:{number + 1}: {old} to {new or 'nothing'} in {self.key}"
 
 
 class Tests:
     """The files of tests; one at a time, with empty tables in place of the others."""
 
-    def __init__(self, folder, compiler, samples):
+    def __init__(self, folder, compiler, samples, sources):
         self.folder, self.compiler = folder, compiler
         self.environment = dict(os.environ, N3_SAMPLES=str(samples))
-        self.tables = sorted(set(re.findall(r"\btests_\w+", (ROOT / "tests/check.c").read_text())))
-        self.kills = dict.fromkeys(self.tables, 0)
-        self.seconds = {}
-        for table in self.tables:
-            empty = "".join(
-                f"const test_case {t}[] = {{{{0, 0}}}};\n" for t in self.tables if t != table
+        texts = {source: (ROOT / source).read_text() for source in sources}
+        table = {s: re.search(r"^const test_case (\w+)\[", t, re.M) for s, t in texts.items()}
+        self.tables = {found.group(1): source for source, found in table.items() if found}
+        self.shared = [source for source in sources if not table[source]]
+        self.kills = {name: [] for name in self.tables}
+        self.level, self.limit = {}, {}
+        for name, source in self.tables.items():
+            others = "".join(
+                f"const test_case {t}[] = {{{{0, 0}}}};\n" for t in self.tables if t != name
             )
-            source = f'#include "{ROOT}/tests/{table[6:]}.c"\n{empty}'
-            (folder / f"{table}.c").write_text(source)
-        shared = {p.stem for p in (ROOT / "tests").glob("*.c")} - {"golden_gen"}
-        shared -= {table[6:] for table in self.tables}
-        self.harness = {
-            precision: [folder / f"{name}{precision}.o" for name in sorted(shared)]
-            for precision in PRECISIONS
-        }
-        for precision in PRECISIONS:
-            for name, out in zip(sorted(shared), self.harness[precision]):
-                self.compile(ROOT, precision, "-c", f"tests/{name}.c", "-o", out)
+            (folder / f"{name}.c").write_text(f'#include "{ROOT}/{source}"\n{others}')
 
     def compile(self, include, *arguments):
         command = [*self.compiler, f"-I{include}", *FLAGS, *map(str, arguments)]
         return subprocess.run(command, cwd=ROOT, capture_output=True).returncode == 0
 
-    def passes(self, include, table, precision):
-        """True, False, or None where the test does not compile."""
-        program = include / f"{table}{precision}"
-        objects = ["-x", "none", *self.harness[precision], "-lm"]
-        if not self.compile(include, precision, self.folder / f"{table}.c", *objects, "-o", program):
-            return None
-        limit = 10 * self.seconds.get((table, precision), 0) + 20
-        start = time.monotonic()
+    def build(self, include, table, level, precision):
+        """The program of one file of tests, None where it does not compile."""
+        program = include / f"{table}{level}{precision}"
+        objects = []
+        for source in self.shared:
+            objects.append(include / f"{pathlib.Path(source).stem}{level}{precision}.o")
+            if not objects[-1].exists():
+                self.compile(include, level, precision, "-c", source, "-o", objects[-1])
+        arguments = [self.folder / f"{table}.c", "-x", "none", *objects, "-o", program, "-lm"]
+        return program if self.compile(include, level, precision, *arguments) else None
+
+    def passes(self, program, limit):
         try:
             done = subprocess.run([program], cwd=ROOT, env=self.environment, timeout=limit,
                                   capture_output=True)
         except subprocess.TimeoutExpired:
             return False
-        self.seconds.setdefault((table, precision), time.monotonic() - start)
         return done.returncode == 0
 
+    def choose_levels(self, text):
+        """Takes the faster level for each file, in double, and returns the files that fail."""
+        failed = []
+        include = self.folder / "unchanged"
+        include.mkdir()
+        (include / "nagata3.h").write_text(text)
+        for table in self.tables:
+            seconds = {}
+            for level in LEVELS:
+                start = time.monotonic()
+                program = self.build(include, table, level, PRECISIONS[0])
+                middle = time.monotonic()
+                if not program or not self.passes(program, None):
+                    failed.append(table)
+                seconds[level] = time.monotonic() - start
+                self.limit[table, level] = 20 + 10 * (time.monotonic() - middle)
+            self.level[table] = min(LEVELS, key=seconds.get)
+        return failed
+
+    def order(self, line):
+        """The tables, first those that have killed most mutants near the line."""
+
+        def kills_nearby(table):
+            return sum(1 / (50 + abs(kill - line)) for kill in self.kills[table])
+
+        return sorted(self.tables, key=kills_nearby, reverse=True)
+
     def survives(self, mutant):
-        """True, False, or None where the mutant does not compile. The best killers go first."""
+        """True, False, or None where the mutant does not compile."""
         with tempfile.TemporaryDirectory(dir=self.folder) as name:
             include = pathlib.Path(name)
             (include / "nagata3.h").write_text(mutant.text)
             for precision in PRECISIONS:
-                for table in sorted(self.tables, key=lambda t: -self.kills[t]):
-                    passes = self.passes(include, table, precision)
-                    if passes is None:
+                for table in self.order(mutant.line):
+                    level = self.level[table]
+                    program = self.build(include, table, level, precision)
+                    if program is None:
                         return None
-                    if not passes:
-                        self.kills[table] += 1
+                    if not self.passes(program, self.limit[table, level]):
+                        self.kills[table].append(mutant.line)
                         return False
         return True
 
@@ -160,12 +194,13 @@ def survivors(mutants, tests, count, jobs):
 
 def arguments():
     parser = argparse.ArgumentParser(description="Break nagata3.h; the tests must notice.")
+    parser.add_argument("sources", nargs="+", help="the tests' C files")
     parser.add_argument("--count", type=int, default=60, help="mutants to try (60)")
     parser.add_argument("--all", action="store_true", help="try every one")
     parser.add_argument("--seed", type=int, default=1, help="which ones (1)")
     parser.add_argument("--jobs", type=int, default=2, help="at the same time (2)")
-    parser.add_argument("--samples", type=int, default=2000, help="N3_SAMPLES of the tests (2000)")
-    parser.add_argument("--function", default="", help="only in functions of such a name")
+    parser.add_argument("--samples", type=int, default=1000, help="N3_SAMPLES of the tests (1000)")
+    parser.add_argument("--lines", default="1-", help="FIRST-LAST, only in these of nagata3.h")
     return parser.parse_args()
 
 
@@ -177,17 +212,17 @@ def main():
     stale = explained - {mutant.key for mutant in mutants}
     for key in sorted(stale):
         print(f"{ALLOWED.name}: there is no such mutant: {key}")
-    mutants = [mutant for mutant in mutants if options.function in mutant.key.partition(":")[0]]
+    first, _, last = options.lines.partition("-")
+    mutants = [m for m in mutants if int(first) <= m.line <= int(last or len(text))]
     if not options.all:
-        random.Random(options.seed).shuffle(mutants)
+        mutants.sort(key=lambda m: hashlib.sha1(f"{options.seed} {m.key}".encode()).digest())
     count = len(mutants) if options.all else options.count
     with tempfile.TemporaryDirectory() as name:
         compiler = shlex.split(os.environ.get("CC", "cc"))
-        tests = Tests(pathlib.Path(name), compiler, options.samples)
-        for table in tests.tables:
-            for precision in PRECISIONS:
-                if not tests.passes(ROOT, table, precision):
-                    sys.exit(f"mutants.py: {table} fails on the header as it is ({precision})")
+        tests = Tests(pathlib.Path(name), compiler, options.samples, options.sources)
+        failed = tests.choose_levels(text)
+        if failed:
+            sys.exit(f"mutants.py: on the header as it is, these fail: {' '.join(failed)}")
         found, tried = survivors(mutants, tests, count, options.jobs)
     unexplained = [mutant for mutant in found if mutant.key not in explained]
     print(f"{tried} of {len(mutants)} mutants: {tried - len(found)} killed, {len(found)} survived, "

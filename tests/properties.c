@@ -222,17 +222,11 @@ static int permuted(const int order[3], int k)
 
 /* What the header promises of the centre, 4 ulp and by the arc rule 8. Pairs of control points are
  * the same sums in every order; the sums of these differ, by at most 7 EPS M if every rounding
- * were at its worst. The arc's adds h N: per edge all is the same bits again, but N = unit(sum n)
- * is off by 4 EPS / |sum n| =: dN, which does no harm unless the normals cancel. In a net of size D
- * with |r_e| <= D and sum c_e^2 held above 3/4, |h| <= 4 D moves by D 36 dN, and N by dN. */
-static double centre_tolerance(const n3_patch *p, const sample *s, int rule)
+ * were at its worst. What the arc rule adds is per edge the same bits again, and small where the
+ * normals cancel, so that their sum, which is then made of rounding, does no harm. */
+static double centre_tolerance(const n3_patch *p, int rule)
 {
-    double M = reach(p->p, 10), D = 0, sum;
-    int k;
-    if (rule != ARC) return 4 * EPS * M;
-    for (k = 1; k < 10; k++) D = fmax(D, d_len(d_sub(wide(p->p[k]), wide(p->p[0]))));
-    sum = length(n3_add(n3_add(s->v[0].n, s->v[1].n), s->v[2].n));
-    return 8 * EPS * M + (sum < 0.5 ? 160 * EPS * D / fmax(sum, EPS) : 0);
+    return (rule == ARC ? 8 : 4) * EPS * reach(p->p, 10);
 }
 
 /* Points: w = 1 - u - v is exact, and a sum of Bernstein terms has the error 5 EPS M whatever its
@@ -247,7 +241,7 @@ static void corners_may_come_in_any_order(void)
         int rule = (int)(i / KINDS / 5 % RULES), k;
         n3_patch p = n3_patch_make(s.v[0], s.v[1], s.v[2], &rules[rule]);
         n3_patch q = n3_patch_make(s.v[order[0]], s.v[order[1]], s.v[order[2]], &rules[rule]);
-        double tolerance = centre_tolerance(&p, &s, rule);
+        double tolerance = centre_tolerance(&p, rule);
         n3_real weight[3], there[3];
         dyadic_weights(&s.r, &weight[1], &weight[2]);
         weight[0] = 1 - weight[1] - weight[2];
@@ -565,8 +559,9 @@ static void arc_centres_move_with_rigid_motions(void)
         M = fmax(reach(p.p, 10), reach(q.p, 10));
         for (k = 0; k < 3; k++) {
             n3_vertex a = s.v[k], b = s.v[(k + 1) % 3];
-            double L = length(n3_sub(b.x, a.x)), delta = 10 * EPS * M / L + 16 * EPS;
-            double share = L > 0 ? slack(a, b, delta, ARC) : -1;
+            double L = length(n3_sub(b.x, a.x));
+            double delta = (L > 0 ? 10 * EPS * M / L : 1) + 16 * EPS;
+            double share = slack(a, b, delta, ARC);
             sound = sound && share >= 0;
             H = fmax(H, share * L + 12 * EPS * M);
             worst = fmax(worst, delta);

@@ -36,11 +36,21 @@ static void make_nearly_parallel(sample *s, rng *r)
     s->v[2].n = turned(r, s->v[0].n);
 }
 
+/* Three normals whose sum vanishes, or nearly. */
+static void make_cancelling(sample *s, rng *r)
+{
+    n3_vec n = s->v[0].n, across = n3_unit(n3_cross(n, rng_unit(r)));
+    n3_vec back = n3_mul((n3_real)-0.5, n);
+    s->v[1].n = n3_unit(n3_add(back, n3_mul((n3_real)sqrt(0.75), across)));
+    s->v[2].n = turned(r, n3_unit(n3_sub(back, n3_mul((n3_real)sqrt(0.75), across))));
+}
+
 static void make_nearly_opposite(sample *s, rng *r)
 {
     n3_vec back = n3_mul(-1, s->v[0].n);
     s->v[1].n = chance(r, 8) ? back : turned(r, back);
     s->v[2].n = turned(r, chance(r, 2) ? back : s->v[0].n);
+    if (chance(r, 4)) make_cancelling(s, r);
 }
 
 static n3_vec along(rng *r, n3_vec d)

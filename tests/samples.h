@@ -7,7 +7,7 @@
 enum {
     BENIGN,          /* the normals within 30 degrees of the triangle's */
     NEARLY_PARALLEL, /* turned from each other by 1e-1 to 1e-16 */
-    NEARLY_OPPOSITE, /* the same of opposite normals */
+    NEARLY_OPPOSITE, /* the same of opposite normals, or of three that cancel */
     ALONG_CHORD,     /* normals along chords, exactly or nearly */
     COINCIDENT,      /* two or three points, exactly or nearly */
     SLIVER,          /* aspect 1e6 */

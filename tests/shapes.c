@@ -131,13 +131,16 @@ shape shape_torus(int nu, int nv)
     return s;
 }
 
-/* Point i of n on the outline of the bracket, a rectangle of 4 by 3 with fillets of radius 0.6. */
-static n3_vec outline(int i, int n, n3_vec *normal)
+/* Point i on the outline of the bracket, a rectangle of 4 by 3 with fillets of radius 0.6: in each
+   quarter the round + 1 points of a fillet and one in the middle of the side that follows. */
+static n3_vec outline(int i, int round, n3_vec *normal)
 {
-    int corner = 4 * i / n, k = i % (n / 4);
-    double a = PI / 2 * (corner + (double)k / (n / 4 - 1));
+    int corner = i / (round + 2), k = i % (round + 2);
+    double a = PI / 2 * (corner + (k > round ? 1 : (double)k / round));
     double x = corner == 0 || corner == 3 ? 1.4 : -1.4, y = corner < 2 ? 0.9 : -0.9;
     *normal = vec(cos(a), sin(a), 0);
+    if (k > round && corner % 2) y = 0;
+    else if (k > round) x = 0;
     return vec(x + 0.6 * cos(a), y + 0.6 * sin(a), 0);
 }
 
@@ -159,21 +162,22 @@ static void add_strip(shape *s, int a, int b, int na, int nb, int n, int i)
 
 shape shape_bracket(int round)
 {
-    int n = 4 * (round + 1), i, row, up, down;
+    int n = 4 * (round + 2), i, row, up, down;
     shape s = shape_room(6 * n, 12 * n, 2 * n + 2);
     n3_vec normal;
     for (row = 0; row < 3; row++)
-        for (i = 0; i < n; i++) add_point(&s, n3_add(outline(i, n, &normal), vec(0, 0, row / 2.0)));
+        for (i = 0; i < n; i++)
+            add_point(&s, n3_add(outline(i, round, &normal), vec(0, 0, row / 2.0)));
     for (row = 0; row < 3; row++)
         for (i = 0; i < n; i++) {
-            n3_vec x = n3_mul((n3_real)0.6, n3_unit(outline(i, n, &normal)));
+            n3_vec x = n3_mul((n3_real)0.6, n3_unit(outline(i, round, &normal)));
             add_point(&s, n3_add(x, vec(0, 0, row / 2.0)));
         }
     for (i = 0; i < n; i++) {
-        outline(i, n, &normal);
+        outline(i, round, &normal);
         add_normal(&s, normal);
     }
-    for (i = 0; i < n; i++) add_normal(&s, n3_unit(n3_mul(-1, outline(i, n, &normal))));
+    for (i = 0; i < n; i++) add_normal(&s, n3_unit(n3_mul(-1, outline(i, round, &normal))));
     up = add_normal(&s, vec(0, 0, 1));
     down = add_normal(&s, vec(0, 0, -1));
     for (i = 0; i < n; i++) {
@@ -480,64 +484,4 @@ int shape_read(const char *path, shape *s)
     }
     fclose(f);
     return 1;
-}
-
-built build(const shape *s, int rule, double cos_crease)
-{
-    n3_mesh m = shape_mesh(s);
-    return build_mesh(&m, rule, cos_crease);
-}
-
-built build_mesh(const n3_mesh *m, int rule, double cos_crease)
-{
-    built b;
-    size_t size = n3_mesh_workspace(m);
-    n3_options o = {0, 0, 0};
-    int normals = 0;
-    o.rule = rule;
-    b.m = *m;
-    b.work = memory(size, 1);
-    CHECK(n3_mesh_topology(m, b.work, size, &b.t, NULL) == N3_OK, rule);
-    b.normal = memory((size_t)(m->normals + 3 * m->triangles), sizeof *b.normal);
-    b.corner = memory(3 * (size_t)m->triangles, sizeof *b.corner);
-    CHECK(n3_mesh_normals(m, &b.t, (n3_real)cos_crease, NULL, b.normal, b.corner, &normals, NULL) ==
-              N3_OK,
-          rule);
-    b.m.normal = &b.normal[0].x;
-    b.m.normals = normals;
-    b.m.corner = b.corner;
-    b.m.normal_stride = b.m.corner_stride = 0;
-    b.nodes = n3_mesh_nodes(&b.m, &b.t);
-    b.net = memory((size_t)b.nodes, sizeof *b.net);
-    b.flags = memory((size_t)b.t.edges, sizeof *b.flags);
-    CHECK(n3_mesh_net(&b.m, &b.t, &o, b.net, b.flags, NULL) == N3_OK, rule);
-    return b;
-}
-
-n3_edge built_edge(const built *b, int edge)
-{
-    n3_edge e;
-    int end[2];
-    n3_mesh_edge_ends(&b->m, &b->t, edge, end);
-    e.p[0] = b->net[end[0]];
-    e.p[1] = b->net[b->m.points + 2 * edge];
-    e.p[2] = b->net[b->m.points + 2 * edge + 1];
-    e.p[3] = b->net[end[1]];
-    return e;
-}
-
-n3_patch built_patch(const built *b, int triangle)
-{
-    n3_patch p;
-    n3_mesh_patches(&b->m, &b->t, b->net, triangle, triangle + 1, &p);
-    return p;
-}
-
-void built_free(built *b)
-{
-    free(b->work);
-    free(b->normal);
-    free(b->corner);
-    free(b->net);
-    free(b->flags);
 }

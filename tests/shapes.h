@@ -42,21 +42,4 @@ n3_mesh shape_mesh(const shape *s);
 /* An OBJ file: v, vn, f. False if it cannot be read. */
 int shape_read(const char *path, shape *s);
 
-/* All that the header makes of a mesh; cos_crease is for normals that are not given. m has the
-   normals of corner and normal, packed. The shape must live as long. */
-typedef struct built {
-    n3_mesh m;
-    n3_topology t;
-    int nodes, *corner;
-    n3_vec *normal, *net;
-    unsigned *flags;
-    void *work;
-} built;
-
-built build(const shape *s, int rule, double cos_crease);
-built build_mesh(const n3_mesh *m, int rule, double cos_crease);
-n3_edge built_edge(const built *b, int edge); /* from the lower to the higher point */
-n3_patch built_patch(const built *b, int triangle);
-void built_free(built *b);
-
 #endif

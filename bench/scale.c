@@ -1,0 +1,189 @@
+/* scale [TRIANGLES]: what a mesh costs, from 10 thousand triangles up to TRIANGLES, 4 million at
+ * first, as a Markdown table on stdout.
+ *
+ * A torus of quadrilaterals split in two goes through topology, normals, net and refinement by two.
+ * A stage's time stands as nanoseconds per triangle and as a multiple of a memset of 0x5a of the
+ * bytes that it writes, on memory that was touched before; the best of the rounds counts. The bytes
+ * are all that the caller holds at once: mesh, workspace and results. */
+#define _POSIX_C_SOURCE 199309L
+#include "nagata3.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+enum { STAGES = 4, ROUNDS = 3, LEVEL = 2, SMALLEST = 10000, LARGEST = 4000000 };
+
+static const char *const stage_name[STAGES] = {"topology", "normals", "net", "refine"};
+
+/* Everything that the caller holds. */
+typedef struct job {
+    n3_mesh mesh, smooth; /* smooth has the normals too */
+    n3_topology topology;
+    n3_vec *point, *normal, *net, *fine;
+    int *triangle, *corner, *work, *fine_triangle;
+    int fine_points, fine_triangles;
+    size_t work_size, bytes;
+} job;
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Touched memory, counted. */
+static void *room(job *j, size_t count, size_t size)
+{
+    void *p = malloc(count * size);
+    if (!p) {
+        fprintf(stderr, "scale: out of memory\n");
+        exit(1);
+    }
+    j->bytes += count * size;
+    return memset(p, 0, count * size);
+}
+
+static void make_torus(job *j, int nu, int nv)
+{
+    const double turn = 2 * 3.14159265358979323846;
+    int i, k, *t = j->triangle;
+    for (i = 0; i < nu; i++)
+        for (k = 0; k < nv; k++, t += 6) {
+            double u = turn * i / nu, v = turn * k / nv, r = 2 + cos(v);
+            int right = (i + 1) % nu * nv, up = (k + 1) % nv;
+            j->point[i * nv + k] =
+                n3_v((n3_real)(r * cos(u)), (n3_real)(r * sin(u)), (n3_real)sin(v));
+            t[0] = t[3] = i * nv + k;
+            t[1] = right + k;
+            t[2] = t[4] = right + up;
+            t[5] = i * nv + up;
+        }
+}
+
+/* Room for a torus of n * n points; its edges are three times as many. */
+static void job_make(job *j, int n)
+{
+    size_t points = (size_t)n * (size_t)n, triangles = 2 * points, edges = 3 * points;
+    memset(j, 0, sizeof *j);
+    j->mesh.points = n * n;
+    j->mesh.triangles = 2 * n * n;
+    j->fine_points = 4 * n * n;
+    j->fine_triangles = 8 * n * n;
+    j->work_size = n3_mesh_workspace(&j->mesh);
+    j->point = (n3_vec *)room(j, points, sizeof(n3_vec));
+    j->triangle = (int *)room(j, triangles, 3 * sizeof(int));
+    j->work = (int *)room(j, j->work_size, 1);
+    j->normal = (n3_vec *)room(j, 3 * triangles, sizeof(n3_vec));
+    j->corner = (int *)room(j, triangles, 3 * sizeof(int));
+    j->net = (n3_vec *)room(j, points + 2 * edges + triangles, sizeof(n3_vec));
+    j->fine = (n3_vec *)room(j, points + edges, sizeof(n3_vec));
+    j->fine_triangle = (int *)room(j, 4 * triangles, 3 * sizeof(int));
+    make_torus(j, n, n);
+    j->mesh.point = &j->point->x;
+    j->mesh.triangle = j->triangle;
+    j->smooth = j->mesh;
+    j->smooth.normal = &j->normal->x;
+    j->smooth.corner = j->corner;
+}
+
+static void job_free(job *j)
+{
+    free(j->point);
+    free(j->triangle);
+    free(j->work);
+    free(j->normal);
+    free(j->corner);
+    free(j->net);
+    free(j->fine);
+    free(j->fine_triangle);
+}
+
+static n3_status run_stage(job *j, int stage)
+{
+    if (stage == 0)
+        return n3_mesh_topology(&j->mesh, j->work, j->work_size, &j->topology, NULL);
+    if (stage == 1)
+        return n3_mesh_normals(&j->mesh, &j->topology, -1, NULL, j->normal, j->corner,
+                               &j->smooth.normals, NULL);
+    if (stage == 2) return n3_mesh_net(&j->smooth, &j->topology, NULL, j->net, NULL, NULL);
+    return n3_mesh_refine(&j->smooth, &j->topology, j->net, LEVEL, j->fine, j->fine_triangle, NULL,
+                          NULL, NULL, NULL);
+}
+
+/* Seconds for a byte, over the room of the net. */
+static double time_memset(job *j)
+{
+    void *(*volatile set)(void *, int, size_t) = memset;
+    size_t bytes = (size_t)n3_mesh_nodes(&j->mesh, &j->topology) * sizeof(n3_vec);
+    double start = now();
+    set(j->net, 0x5a, bytes);
+    return (now() - start) / (double)bytes;
+}
+
+static double bytes_written(const job *j, int stage)
+{
+    double triangles = j->mesh.triangles, vec = sizeof(n3_vec), indices = 3 * sizeof(int);
+    if (stage == 0) return (double)j->work_size;
+    if (stage == 1) return j->smooth.normals * vec + triangles * indices;
+    if (stage == 2) return n3_mesh_nodes(&j->mesh, &j->topology) * vec;
+    return j->fine_points * vec + j->fine_triangles * indices;
+}
+
+static double time_stage(job *j, int stage)
+{
+    double start = now();
+    if (run_stage(j, stage) != N3_OK) {
+        fprintf(stderr, "scale: %s failed\n", stage_name[stage]);
+        exit(1);
+    }
+    return now() - start;
+}
+
+/* The best of the rounds; the memset comes last. */
+static void run_job(job *j, double best[STAGES + 1])
+{
+    int round, s;
+    for (round = 0; round < ROUNDS; round++)
+        for (s = 0; s <= STAGES; s++) {
+            double seconds = s < STAGES ? time_stage(j, s) : time_memset(j);
+            if (!round || seconds < best[s]) best[s] = seconds;
+        }
+}
+
+static void print_row(const job *j, const double best[STAGES + 1])
+{
+    double triangles = j->mesh.triangles, seconds = 0;
+    int s;
+    printf("| %d |", j->mesh.triangles);
+    for (s = 0; s < STAGES; s++) {
+        double memsets = best[s] / (best[STAGES] * bytes_written(j, s));
+        printf(" %.0f (%.0f) |", 1e9 * best[s] / triangles, memsets);
+        seconds += best[s];
+    }
+    printf(" %.2f | %.0f |\n", triangles / seconds / 1e6, (double)j->bytes / triangles);
+}
+
+int main(int argc, char **argv)
+{
+    int largest = argc > 1 ? atoi(argv[1]) : LARGEST, triangles, s;
+    if (argc > 2 || largest < SMALLEST || largest > LARGEST) {
+        fprintf(stderr, "usage: scale [TRIANGLES], %d to %d\n", SMALLEST, LARGEST);
+        return 2;
+    }
+    printf("| triangles |");
+    for (s = 0; s < STAGES; s++) printf(" %s, ns (memsets) |", stage_name[s]);
+    printf(" million triangles/s | bytes/triangle |\n");
+    printf("| --: | --: | --: | --: | --: | --: | --: |\n");
+    for (triangles = SMALLEST; triangles <= largest; triangles *= triangles < 1000000 ? 10 : 4) {
+        double best[STAGES + 1];
+        job j;
+        job_make(&j, (int)sqrt(triangles / 2.0));
+        run_job(&j, best);
+        print_row(&j, best);
+        job_free(&j);
+    }
+    return 0;
+}
