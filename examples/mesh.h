@@ -1,7 +1,6 @@
-/* mesh.h: a mesh of triangles in memory, and the files that it comes from and goes to.
+/* mesh.h: a mesh of triangles in memory, and the files that it comes from.
  *
- * What goes wrong ends the program: fail() prints "program: file:line: reason" and exits with 1.
- * An output file appears whole, under its name, or not at all. */
+ * What goes wrong ends the program: fail() prints "program: file:line: reason" and exits with 1. */
 #ifndef MESH_H
 #define MESH_H
 
@@ -50,6 +49,9 @@ typedef struct mesh {
     n3_real reach;   /* the tolerance, a length */
 } mesh;
 
+/* How numbers stand in a file: as text, or as bytes, the least or the greatest one first. */
+enum { AS_TEXT, LITTLE, BIG };
+
 /* Defined by each program: its name, which begins its messages. */
 extern const char program[];
 
@@ -63,10 +65,6 @@ void *room(void *array, int count, size_t size);
 
 /* A whole file with a zero byte behind it. */
 char *file_read(const char *path, size_t *size);
-
-/* A file under a temporary name in the same folder; closing gives it its name. */
-FILE *output_open(const char *path);
-void output_close(void);
 
 /* True if the name ends in the extension, such as ".obj", in any case. */
 int has_extension(const char *path, const char *extension);
@@ -86,6 +84,7 @@ void mesh_read_vtu(const char *path, const char *data, size_t size, mesh *m);
 void mesh_read_vtk(const char *path, const char *data, size_t size, mesh *m);
 void mesh_read_msh(const char *path, const char *data, size_t size, mesh *m);
 int mesh_is_stl(const char *data, size_t size);
+int mesh_is_binary_stl(const char *data, size_t size);
 void mesh_free(mesh *m);
 
 /* Adds a triangle, its corners without normals, in group 0, of the cell with the number m->cells:
@@ -114,12 +113,5 @@ int mesh_find_equal(const mesh *m, int *kept);
    the nearest point that is kept, in the order of the file. Then leaves out the triangles that
    have collapsed and the points in no triangle. */
 void mesh_join(mesh *m, n3_real relative);
-
-/* Numbers are written with as many digits as bring back the same bits. The mesh has a normal at
-   every corner. */
-void write_number(FILE *f, n3_real x);
-void write_vec(FILE *f, n3_vec a);
-void mesh_write_obj(FILE *f, const mesh *m);
-void mesh_write_stl(FILE *f, const mesh *m);
 
 #endif

@@ -4,9 +4,6 @@
 
 #include "mesh_text.h"
 
-/* text.order */
-enum { AS_TEXT, LITTLE, BIG };
-
 typedef struct number_type {
     const char *name; /* in lower case */
     char kind;        /* i: integer, u: without a sign, f: floating, b: a bit, x: not a number */

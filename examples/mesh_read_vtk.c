@@ -111,7 +111,7 @@ static void read_points(reader *r, int unused)
     }
 }
 
-/* A whole number up to most, from which on the numbers of points count. */
+/* A whole number from least to most. */
 static int read_from(reader *r, const number_type *type, int least, int most)
 {
     double x = read_number(&r->text, type);

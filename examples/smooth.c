@@ -1,48 +1,57 @@
 /* smooth: a triangle mesh into a smooth surface, or into a finer mesh on it. */
-#include "smooth.h"
+#include "smooth_grid.h"
 
 #include <errno.h>
-#include <float.h>
 #include <stdarg.h>
 #include <stdlib.h>
 
 const char program[] = "smooth";
 
 static const char usage[] =
-    "usage: smooth IN -o OUT [-n LEVEL] [--rule paper|arc|fit|nagata|pn|flat]\n"
-    "              [--boundary] [--bezier] [--crease DEG] [--weld REL] [--report] [--json]\n"
-    "              [--quiet]\n";
+    "usage: smooth IN -o OUT [-n LEVEL | --tol T[%] | --order 2|3 | --bezier] [--text | --binary]\n"
+    "              [--rule paper|arc|fit|nagata|pn|flat] [--boundary] [--crease DEG] [--weld REL]\n"
+    "              [--report] [--json] [--quiet]\n";
 
 static const char help[] =
     "Lays a smooth surface through the points of a mesh of triangles, tangent to its normals.\n"
     "\n"
     "  IN             OBJ, STL, PLY, VTU, legacy VTK or Gmsh MSH, told by what is in it, not\n"
     "                 by its name. Without normals in it they are estimated.\n"
-    "  -o OUT         .obj or .stl: flat triangles again, finer; .vtu: the surface itself, in\n"
-    "                 cubic triangles. Not needed with --report.\n"
+    "  -o OUT         .obj .stl .ply: flat triangles again, finer; .vtu .vtk .msh: the same, or\n"
+    "                 elements with nodes on the surface; .step: the surface itself, solid where\n"
+    "                 it closes, in millimetres. Not needed with --report.\n"
     "  --boundary     of a mesh of volumes: the faces that one volume cell has\n"
-    "  -n LEVEL       parts per edge in .obj and .stl, 1 to 1000 (4)\n"
+    "\n"
+    "  -n LEVEL       flat triangles, with so many parts per edge, 1 to 1000 (.obj .stl .ply: 4)\n"
+    "  --tol T        flat triangles, as few as keep the surface within this distance of them;\n"
+    "                 with a %, of the bounding box's diagonal\n"
+    "  --order 2|3    triangles of 6 or of 10 nodes (.vtu .vtk .msh: 3)\n"
+    "  --bezier       cubic triangles by their control points (.vtu .vtk; cell type 76, not 69)\n"
+    "  --text         numbers that people can read (.ply .vtu .vtk .msh: up to 10000 triangles)\n"
+    "  --binary       numbers as bytes (.stl, and the same beyond)\n"
+    "\n"
     "  --rule RULE    paper: cubic Nagata patches (this is the default)\n"
     "                 arc: the same with edges that are circular arcs where they can be\n"
     "                 fit: arc, and the bend across edges fitted to the triangles around\n"
     "                 nagata: quadratic Nagata patches; pn: PN triangles; flat: the facets\n"
-    "  --bezier       .vtu with control points (cell type 76), not nodes on the surface (69)\n"
     "  --crease DEG   an edge is sharp where its faces meet at more than this angle (50). Normals\n"
     "                 in the file overrule it, OBJ smoothing groups add to it.\n"
     "  --weld REL     join points closer than this part of the bounding box's diagonal. Equal\n"
     "                 points are always joined. (STL: 1e-6, others: 0)\n"
     "  --report       say on stdout what was found and done; with --json, as JSON\n"
-    "  --quiet        no statistics on stderr\n"
+    "  --quiet        no statistics and no progress on stderr\n"
     "  -h, --help     this text\n"
     "  --version      the version\n"
     "\n"
-    "A polygon is split by a fan from its widest corner, the first of equal ones.\n"
+    "A polygon is split by a fan from its widest corner, the first of equal ones. Fields of\n"
+    "points are interpolated; those of cells, groups and numbers go to all parts of a cell.\n"
     "Exit status: 0, 1 for bad input or output, 2 for bad usage.\n";
 
 typedef struct options {
-    const char *in, *out;
+    const char *in;
+    request out; /* path NULL: none */
     const smooth_rule *rule;
-    int level, boundary, bezier, report, json, quiet;
+    int boundary, report, json, quiet;
     n3_real crease; /* degrees */
     n3_real weld;   /* negative: by the format */
 } options;
@@ -81,13 +90,29 @@ static void print_and_exit(const char *text)
     exit(fflush(stdout) || ferror(stdout) ? EXIT_FAILURE : EXIT_SUCCESS);
 }
 
+/* A length, or so many percent. */
+static void read_tolerance(request *r, const char *option, const char *value)
+{
+    const double most = 1e100;
+    char *end;
+    double x = strtod(value, &end);
+    r->relative = *end == '%';
+    if (end == value || end[r->relative] || !(x > 0 && x <= most))
+        misuse("%s takes a length or a percentage above 0, not '%s'", option, value);
+    r->tolerance = (n3_real)(r->relative ? x / 100 : x);
+}
+
 /* Options without a value. False if it is none of them. */
 static int read_switch(options *o, const char *a)
 {
     if (!strcmp(a, "--boundary"))
         o->boundary = 1;
     else if (!strcmp(a, "--bezier"))
-        o->bezier = 1;
+        o->out.kind = BEZIER;
+    else if (!strcmp(a, "--text"))
+        o->out.text = 1;
+    else if (!strcmp(a, "--binary"))
+        o->out.text = 0;
     else if (!strcmp(a, "--report"))
         o->report = 1;
     else if (!strcmp(a, "--json"))
@@ -101,22 +126,35 @@ static int read_switch(options *o, const char *a)
 
 static int read_value(options *o, const char *a, const char *value)
 {
-    static const char *const known[] = {"-o", "-n", "--rule", "--crease", "--weld"};
+    static const char *const known[] = {"-o",     "-n",    "--rule", "--crease",
+                                        "--weld", "--tol", "--order"};
     size_t i, n = sizeof known / sizeof *known;
     for (i = 0; i < n && strcmp(a, known[i]); i++) continue;
     if (i == n) return 0;
     if (!value) misuse("%s takes a value", a);
-    if (i == 0) o->out = value;
-    if (i == 1) o->level = whole_number(a, value, 1, 1000);
+    if (i == 0) o->out.path = value;
+    if (i == 1) o->out.level = whole_number(a, value, 1, 1000);
     if (i == 2 && !(o->rule = smooth_rule_find(value))) misuse("there is no rule '%s'", value);
     if (i == 3) o->crease = number(a, value, 0, 180);
     if (i == 4) o->weld = number(a, value, 0, 1);
+    if (i == 5) read_tolerance(&o->out, a, value);
+    if (i == 6) o->out.kind = whole_number(a, value, 2, 3) == 2 ? QUADRATIC : CUBIC;
     return 1;
+}
+
+static void check_options(const options *o)
+{
+    const request *r = &o->out;
+    if (!o->in) misuse("no file to read");
+    if (!r->path && !o->report) misuse("no file to write; -o OUT names it");
+    if ((r->level > 0) + (r->tolerance > 0) + (r->kind != FACETS) > 1)
+        misuse("-n, --tol, --order and --bezier exclude each other");
+    if (r->path && product_refuse(r)) misuse("'%s' %s", r->path, product_refuse(r));
 }
 
 static options read_options(int argc, char **argv)
 {
-    options o = {NULL, NULL, NULL, 4, 0, 0, 0, 0, 0, 50, -1};
+    options o = {NULL, {NULL, 0, FACETS, 0, 0, -1}, NULL, 0, 0, 0, 0, 50, -1};
     int i;
     o.rule = smooth_rule_find("paper");
     for (i = 1; i < argc; i++) {
@@ -136,59 +174,8 @@ static options read_options(int argc, char **argv)
         else
             o.in = a;
     }
-    if (!o.in) misuse("no file to read");
-    if (!o.out && !o.report) misuse("no file to write; -o OUT names it");
-    if (o.out && !has_extension(o.out, ".obj") && !has_extension(o.out, ".stl") &&
-        !has_extension(o.out, ".vtu"))
-        misuse("'%s' is neither .obj nor .stl nor .vtu", o.out);
-    if (o.bezier && !(o.out && has_extension(o.out, ".vtu"))) misuse("--bezier needs a .vtu");
+    check_options(&o);
     return o;
-}
-
-/* STL holds single precision. */
-static void check_range(const char *path, const mesh *m)
-{
-    const n3_real most = (n3_real)FLT_MAX;
-    int i;
-    for (i = 0; i < m->points; i++) {
-        n3_vec x = m->point[i];
-        if (fabs(x.x) > most || fabs(x.y) > most || fabs(x.z) > most)
-            fail(path, 0, "a coordinate is too large for STL, beyond %g", (double)most);
-    }
-}
-
-static product write_flat(const options *o, const surface *s)
-{
-    product out = {NULL, "flat", 0, 0};
-    mesh m;
-    surface_refine(o->in, s, o->level, &m);
-    out.triangles = m.triangles;
-    out.points = m.points;
-    if (has_extension(o->out, ".obj")) {
-        mesh_write_obj(output_open(o->out), &m);
-    } else {
-        check_range(o->out, &m);
-        mesh_write_stl(output_open(o->out), &m);
-    }
-    output_close();
-    mesh_free(&m);
-    return out;
-}
-
-static product write_output(const options *o, const surface *s)
-{
-    product out = {NULL, "cubic", 0, 0};
-    if (!o->out) return out;
-    if (has_extension(o->out, ".vtu")) {
-        surface_write_vtu(output_open(o->out), s, o->bezier);
-        output_close();
-        out.triangles = s->mesh.triangles;
-        out.points = s->nodes;
-    } else {
-        out = write_flat(o, s);
-    }
-    out.path = o->out;
-    return out;
 }
 
 /* What was done to the mesh before anything else; never in silence, unless asked. */
@@ -209,12 +196,34 @@ static void report_reading(const char *path, const mesh *m)
     fprintf(stderr, "; left out %d collapsed triangles\n", m->collapsed);
 }
 
+/* Formats that number their points, from 0 or from 1. */
+static int numbers_points(const mesh *m)
+{
+    return strcmp(m->format, "OBJ") && strcmp(m->format, "STL") && strcmp(m->format, "PLY");
+}
+
+/* The points keep their numbers as a field "id", if some are left out and others move up. */
+static void join_points(mesh *m, n3_real weld)
+{
+    int i, first = strcmp(m->format, "MSH") == 0, fields = m->point_fields;
+    if (numbers_points(m) && !mesh_field_find(m->point_field, fields, "id")) {
+        double *value = allocate((size_t)m->points, sizeof *value);
+        for (i = 0; i < m->points; i++) value[i] = i + first;
+        field_add(&m->point_field, &m->point_fields, "id", 2, 1, value)->whole = 1;
+    }
+    mesh_join(m, weld);
+    if (m->point_fields > fields && !m->joined && !m->welded && !m->unused)
+        field_drop(m->point_field, &m->point_fields, fields);
+}
+
 static void read_mesh(const options *o, mesh *m)
 {
     n3_real weld;
+    progress("reading", -1, 1);
     mesh_read(o->in, o->boundary, m);
     weld = strcmp(m->format, "STL") ? 0 : (n3_real)1e-6;
-    mesh_join(m, o->weld >= 0 ? o->weld : weld);
+    progress("joining points", -1, 1);
+    join_points(m, o->weld >= 0 ? o->weld : weld);
     if (!o->quiet) report_reading(o->in, m);
     if (!m->triangles) fail(o->in, 0, "all its triangles have collapsed");
 }
@@ -226,10 +235,14 @@ int main(int argc, char **argv)
     mesh m;
     surface s;
     n3_report r;
-    product out;
+    product out = {NULL, NULL, 0, 0, 0, 0};
+    output_catch_signals();
+    if (o.quiet) progress_hide();
     read_mesh(&o, &m);
+    progress("laying the surface", -1, 1);
     surface_make(o.in, &m, o.rule, cos(o.crease * degree), &s);
-    out = write_output(&o, &s);
+    if (o.out.path) out = product_write(&o.out, &m, &s);
+    progress_hide();
     r = n3_mesh_report(&s.mesh, &s.topology, s.net, s.flags);
     if (!o.quiet) report_line(o.in, &s, &r, &out);
     if (o.report) (o.json ? report_json : report_text)(o.in, &m, &s, &r, &out);

@@ -16,6 +16,7 @@ typedef struct smooth_rule {
 const smooth_rule *smooth_rule_find(const char *name);
 
 typedef struct surface {
+    const char *path; /* of the file that it comes from, for messages */
     const smooth_rule *rule;
     n3_mesh mesh; /* with the normals below */
     n3_topology topology;
@@ -28,10 +29,23 @@ typedef struct surface {
     int inferred;    /* corners whose normal is not from the file */
 } surface;
 
+/* Facets, elements with nodes on the surface, or with control points. */
+enum { FACETS, QUADRATIC, CUBIC, BEZIER };
+
+/* What to write, and how; tolerance 0: level or kind, where they are not 0, instead. */
+typedef struct request {
+    const char *path;
+    int level, kind;   /* FACETS with level parts for each edge, or elements of another kind */
+    n3_real tolerance; /* facets within this distance; */
+    int relative;      /* of the bounding box's diagonal */
+    int text;          /* or bytes, where the format knows both; negative: by the size */
+} request;
+
 /* What went into the file; path NULL: nothing did. */
 typedef struct product {
-    const char *path, *kind; /* of its triangles: flat or cubic */
+    const char *path, *kind; /* of its triangles: flat, quadratic or cubic */
     int triangles, points;
+    int solids, sheets; /* STEP */
 } product;
 
 /* The mesh m must outlive the surface. cos_crease: of the angle between faces from which on an
@@ -44,11 +58,12 @@ void surface_free(surface *s);
 n3_edge surface_edge(const surface *s, int edge);
 int surface_edges_with(const surface *s, unsigned flags);
 
-/* The surface as flat triangles, level^2 for each, with the patches' own normals. */
-void surface_refine(const char *path, const surface *s, int level, mesh *out);
+/* The diagonal of the bounding box of its points. */
+n3_real surface_size(const surface *s);
 
-/* VTU: cubic triangles, Lagrange or Bezier, on shared nodes. */
-void surface_write_vtu(FILE *f, const surface *s, int bezier);
+/* NULL, or why such a file cannot be: for people, to go behind its name. */
+const char *product_refuse(const request *r);
+product product_write(const request *r, const mesh *m, const surface *s);
 
 /* One line for stderr; the whole story for stdout, as text or as JSON. */
 void report_line(const char *in, const surface *s, const n3_report *r, const product *out);

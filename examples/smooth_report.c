@@ -1,6 +1,8 @@
 /* What was found in the mesh and what was done with it, for people and for programs. */
 #include "smooth.h"
 
+#include "mesh_number.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -99,6 +101,8 @@ void report_line(const char *in, const surface *s, const n3_report *r, const pro
     if (out->path)
         fprintf(stderr, "; %s: %d %s triangles, %d points", out->path, out->triangles, out->kind,
                 out->points);
+    if (out->solids || out->sheets)
+        fprintf(stderr, ", %d solids, %d sheets", out->solids, out->sheets);
     fprintf(stderr, "; at most %.4g off the facets\n", (double)r->distance);
 }
 
@@ -124,6 +128,8 @@ void report_text(const char *in, const mesh *m, const surface *s, const n3_repor
     if (out->path)
         printf("\nWritten: %s, %d %s triangles on %d points\n", out->path, out->triangles,
                out->kind, out->points);
+    if (out->solids || out->sheets)
+        printf("They are %d solids and %d sheets.\n", out->solids, out->sheets);
 }
 
 static void json_string(const char *name, const char *s)
@@ -140,6 +146,13 @@ static void json_string(const char *name, const char *s)
     printf("\",\n");
 }
 
+static void json_number(n3_real x)
+{
+    char s[NUMBER_SIZE];
+    number_format(s, (double)x);
+    fputs(s, stdout);
+}
+
 static void json_rows(const row *rows, int n)
 {
     int i;
@@ -152,7 +165,9 @@ void report_json(const char *in, const mesh *m, const surface *s, const n3_repor
     const row counts[] = {
         {"triangles", r->triangles, ""}, {"points", r->points, ""}, {"edges", r->edges, ""}};
     const row written[] = {{"output_triangles", out->triangles, ""},
-                           {"output_points", out->points, ""}};
+                           {"output_points", out->points, ""},
+                           {"output_solids", out->solids, ""},
+                           {"output_sheets", out->sheets, ""}};
     row rows[ROWS];
     printf("{\n");
     json_string("input", in);
@@ -162,12 +177,12 @@ void report_json(const char *in, const mesh *m, const surface *s, const n3_repor
     json_rows(rows, done(s, r, rows));
     if (out->path) {
         json_string("output", out->path);
-        json_rows(written, 2);
+        json_rows(written, 4);
     }
     printf("  \"closed\": %s,\n", is_closed(r) ? "true" : "false");
     printf("  \"distance\": ");
-    write_number(stdout, r->distance);
+    json_number(r->distance);
     printf(",\n  \"jump_degrees\": ");
-    write_number(stdout, jump_degrees(r));
+    json_number(jump_degrees(r));
     printf("\n}\n");
 }

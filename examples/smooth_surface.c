@@ -187,6 +187,7 @@ void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_r
     int item = -1;
     make_topology(path, m, s);
     make_normals(path, m, cos_crease, s);
+    s->path = path;
     s->rule = rule;
     s->inferred = count_inferred(m);
     s->nodes = n3_mesh_nodes(&s->mesh, &s->topology);
@@ -207,16 +208,14 @@ void surface_free(surface *s)
     free(s->flags);
 }
 
-void surface_refine(const char *path, const surface *s, int level, mesh *out)
+n3_real surface_size(const surface *s)
 {
-    memset(out, 0, sizeof *out);
-    if (n3_mesh_refine_counts(&s->mesh, &s->topology, level, &out->points, &out->triangles,
-                              &out->normals) != N3_OK)
-        fail(path, 0, "%d triangles with %d parts per edge are too many", s->mesh.triangles, level);
-    out->point = allocate((size_t)out->points, sizeof *out->point);
-    out->triangle = allocate((size_t)out->triangles, 3 * sizeof *out->triangle);
-    out->normal = allocate((size_t)out->normals, sizeof *out->normal);
-    out->corner = allocate((size_t)out->triangles, 3 * sizeof *out->corner);
-    n3_mesh_refine(&s->mesh, &s->topology, s->net, level, out->point, out->triangle, out->normal,
-                   out->corner, NULL, NULL);
+    n3_vec lo = s->net[0], hi = lo;
+    int i;
+    for (i = 1; i < s->mesh.points; i++) {
+        n3_vec x = s->net[i];
+        lo = n3_v(x.x < lo.x ? x.x : lo.x, x.y < lo.y ? x.y : lo.y, x.z < lo.z ? x.z : lo.z);
+        hi = n3_v(x.x > hi.x ? x.x : hi.x, x.y > hi.y ? x.y : hi.y, x.z > hi.z ? x.z : hi.z);
+    }
+    return n3_len(n3_sub(hi, lo));
 }

@@ -19,7 +19,10 @@ static void print_fields(const char *what, const field *list, int fields, int ro
     }
 }
 
-static void print_vec(n3_vec a) { printf(" (%g %g %g)", (double)a.x, (double)a.y, (double)a.z); }
+static void print_vec(n3_vec a)
+{
+    printf(" (%.17g %.17g %.17g)", (double)a.x, (double)a.y, (double)a.z);
+}
 
 static void print_mesh(const mesh *m)
 {

@@ -1,0 +1,103 @@
+/* What kind of file, and what goes into it. */
+#include "smooth_grid.h"
+
+#include <stdlib.h>
+
+/* Up to so many elements a file is text that people can read, unless they want it otherwise. */
+enum { READABLE = 10000 };
+
+enum { TEXT = 1, BYTES = 2 }; /* what a format knows */
+
+typedef struct format {
+    const char *extension;
+    int kinds; /* the highest that it can hold */
+    int coding, order;
+    unsigned with;
+    void (*write)(output *o, grid *g); /* NULL: STEP */
+} format;
+
+static const format formats[] = {
+    {".obj", FACETS, TEXT, LITTLE, WITH_CORNER_NORMALS, grid_write_obj},
+    {".stl", FACETS, BYTES, LITTLE, 0, grid_write_stl},
+    {".ply", FACETS, TEXT | BYTES, LITTLE, WITH_CORNER_NORMALS | WITH_FIELDS, grid_write_ply},
+    {".vtu", BEZIER, TEXT | BYTES, LITTLE, WITH_NODE_NORMALS | WITH_FIELDS, grid_write_vtu},
+    {".vtk", BEZIER, TEXT | BYTES, BIG, WITH_NODE_NORMALS | WITH_FIELDS, grid_write_vtk},
+    {".msh", CUBIC, TEXT | BYTES, LITTLE, WITH_FIELDS, grid_write_msh},
+    {".step", BEZIER, TEXT, LITTLE, 0, NULL},
+    {".stp", BEZIER, TEXT, LITTLE, 0, NULL}};
+
+/* NULL for none. */
+static const format *find_format(const char *path)
+{
+    size_t i;
+    for (i = 0; i < sizeof formats / sizeof *formats; i++)
+        if (has_extension(path, formats[i].extension)) return &formats[i];
+    return NULL;
+}
+
+const char *product_refuse(const request *r)
+{
+    const format *f = find_format(r->path);
+    if (!f) return "is none of .obj .stl .ply .vtu .vtk .msh .step";
+    if (!f->write && (r->level || r->kind || r->tolerance > 0))
+        return "holds the surface itself, not facets or elements";
+    if (r->kind > f->kinds)
+        return f->kinds == FACETS ? "holds facets only" : "has no such elements";
+    if (r->text >= 0 && !(f->coding & (r->text ? TEXT : BYTES)))
+        return r->text ? "is always binary" : "is always text";
+    return NULL;
+}
+
+static void make_grid(const request *r, const format *f, const mesh *m, const surface *s, grid *g)
+{
+    n3_real unit = r->relative ? surface_size(s) : 1;
+    int kind = r->kind ? r->kind : f->kinds > FACETS ? CUBIC : FACETS;
+    progress("refining", -1, 1);
+    if (r->tolerance > 0)
+        grid_adapt(m, s, r->tolerance * unit, f->with, g);
+    else if (r->level || kind == FACETS)
+        grid_refine(m, s, r->level ? r->level : 4, f->with, g);
+    else
+        grid_curve(m, s, kind, f->with, g);
+}
+
+static product write_step(const request *r, const surface *s)
+{
+    product out = {NULL, "cubic", 0, 0, 0, 0};
+    output *o = output_open(r->path, AS_TEXT);
+    bodies made = surface_write_step(o, r->path, s);
+    output_close(o);
+    out.triangles = s->mesh.triangles;
+    out.points = s->mesh.points;
+    out.solids = made.solids;
+    out.sheets = made.sheets;
+    return out;
+}
+
+static product write_grid(const request *r, const format *f, const mesh *m, const surface *s)
+{
+    static const char *const kinds[] = {"flat", "quadratic", "cubic", "cubic"};
+    product out = {NULL, NULL, 0, 0, 0, 0};
+    grid g;
+    output *o;
+    int readable;
+    make_grid(r, f, m, s, &g);
+    readable = r->text >= 0 ? r->text : g.elements <= READABLE;
+    if (f->coding != (TEXT | BYTES)) readable = f->coding == TEXT;
+    o = output_open(r->path, readable ? AS_TEXT : f->order);
+    f->write(o, &g);
+    output_close(o);
+    out.kind = kinds[g.kind];
+    out.triangles = g.elements;
+    out.points = g.nodes;
+    grid_free(&g);
+    return out;
+}
+
+product product_write(const request *r, const mesh *m, const surface *s)
+{
+    const format *f = find_format(r->path);
+    product out = f->write ? write_grid(r, f, m, s) : write_step(r, s);
+    out.path = r->path;
+    return out;
+}
