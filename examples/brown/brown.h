@@ -51,7 +51,7 @@
  *         for Precision Engineering (in Japanese), about 1990.
  *     [2] Kochanek D., Bartels R., Interpolating splines with local tension, continuity, and bias
  *         control, SIGGRAPH 1984, 33-41.
- *     [3] Chiyokura H., Kimura F., Design of solids with free-form surfaces, SIGGRAPH 1983.
+ *     [3] Chiyokura H., Kimura F., Design of solids with free-form surfaces, SIGGRAPH 1983, 289-298.
  */
 #ifndef BROWN_H
 #define BROWN_H
@@ -142,19 +142,30 @@ NAGATA3_API brown_square brown_lattice_square(const brown_lattice *l, int i, int
 
 /* ---- The quad ---- */
 
-/* Ours, after [3]: the square over the quad of four vertices, x00, x10, x11, x01. Its sides are
-   edges of nagata3.h. Along each side the cross tangents lie in planes that depend on this side and
-   the normals at its ends alone: two quads that share them have the same tangent planes all along.
-   The planes are spanned by the side's tangent and S(t), which runs linearly from n0 x t0 to
-   n1 x t1, the normals times the side's unit tangents.
-   The rule is one of nagata3.h: N3_RULE_ARC is the better one where normals look outwards. */
+/* Ours, after [3]: the square over the quad of four vertices, x00, x10, x11, x01, its sides edges of
+   nagata3.h. Along each side the tangent planes follow from this side and the normals at its ends
+   alone: two quads that share them have the same planes all along, and the normals do not jump.
+   The planes are spanned by the side's derivative D(t) and by S(t), which runs linearly from
+   n0 x t0 to n1 x t1, the normals times the side's unit tangents. The cross tangents are
+   l(t) D(t) + m(t) S(t) with quadratics l and m, such that at the ends they are the tangents of the
+   sides that meet there, and in the middle that of the edge, by the same rule, which joins the
+   middles of opposite sides.
+   The rule is one of nagata3.h. N3_RULE_ARC, for normals that look outwards, is exact to sixth order
+   where the sides are lines of curvature of a cylinder. N3_RULE_FIT is the arc rule here. */
 NAGATA3_API brown_square brown_quad_make(const n3_vertex corner[4], const n3_options *o);
 
 /* The same from edges that are there already, which run round the quad: from 0 to 1 and so on.
-   mid: a normal to want in the middle of each, of any length, NULL or zero: as above. S(t) is then
-   quadratic. A zero normal at a corner is replaced by that at the other end of each edge. */
+   mid: a normal to want in the middle of each, of any length; zero, or mid NULL: as above. S(t) is
+   then quadratic. A zero normal at a corner is replaced by that at the other end of each edge; where
+   both are, the cross tangents are linear. */
 NAGATA3_API brown_square brown_quad_from_edges(const n3_vertex corner[4], const n3_edge edge[4],
-                                               const n3_vec mid[4]);
+                                               const n3_vec mid[4], const n3_options *o);
+
+/* A normal to want in the middle of the edge a, b of the quads a b c[0] c[1] and b a d[0] d[1], not
+   of unit length: n3_edge_mid_normal of both pairs of opposite points. With it the surface is of
+   fourth order in position, and third in normals, on smooth surfaces. */
+NAGATA3_API n3_vec brown_mid_normal(n3_vertex a, n3_vertex b, const n3_vertex c[2],
+                                    const n3_vertex d[2]);
 
 /* ---- Definitions: the square ---- */
 
@@ -709,52 +720,117 @@ NAGATA3_API brown_square brown_lattice_square(const brown_lattice *l, int i, int
 
 /* ---- Definitions: the quad ---- */
 
-/* Cross tangents along an edge, from T0 at its beginning to T1 at its end, in the planes of its
-   derivative D(t) and S(t): l(t) D(t) + m(t) S(t), l and m linear, a cubic. Linear from T0 to T1
-   where there is no S. */
-NAGATA3_API n3_edge browni_cross_tangents(const n3_edge *e, n3_vec n0, n3_vec n1, n3_vec mid,
-                                          n3_vec T0, n3_vec T1)
+/* A side of a quad: its derivative D(t) and what else spans its tangent planes, S(t), as quadratic
+   Bezier curves, and the normal in its middle. */
+typedef struct browni_frame { n3_vec D[3], S[3], n; } browni_frame;
+
+NAGATA3_API n3_vec browni_middle(const n3_vec q[3])
 {
-    n3_edge f = n3i_edge_straight(T0, T1);
-    n3_vec D[4], S[4], d0, d1, half;
+    return n3i_mix((n3_real)1 / 4, q[0], (n3_real)1 / 2, q[1], (n3_real)1 / 4, q[2]);
+}
+
+/* S(t) runs from n0 x t0 to n1 x t1, linearly unless a normal is wanted in the middle; there it has
+   the same length, and the direction across the side and that normal. S is zero where there is
+   none at an end. */
+NAGATA3_API browni_frame browni_frame_of(const n3_edge *e, n3_vec n0, n3_vec n1, n3_vec mid)
+{
+    browni_frame f;
+    n3_vec t0, t1, t;
     int k;
-    for (k = 0; k < 3; k++) D[k] = n3_mul(3, n3_sub(e->p[k + 1], e->p[k]));
-    d0 = n3_unit(D[0]);
-    d1 = n3_unit(D[2]);
-    if (n3i_is_zero(n0)) n0 = n3i_across(n1, d0);
-    if (n3i_is_zero(n1)) n1 = n3i_across(n0, d1);
-    S[0] = n3_cross(n0, d0);
-    S[2] = n3_cross(n1, d1);
-    if (n3i_is_zero(S[0]) || n3i_is_zero(S[2])) return f;
-    S[1] = n3_mul((n3_real)1 / 2, n3_add(S[0], S[2]));
-    half = n3_unit(n3_add(n3_sub(e->p[3], e->p[0]), n3_sub(e->p[2], e->p[1])));
-    half = n3_cross(n3i_across(n3_unit(mid), half), half);
-    if (!n3i_is_zero(half)) S[1] = n3_sub(n3_mul(2 * n3_len(S[1]), half), S[1]);
-    browni_raise(D, 2, n3_dot(T0, d0) / n3_len(D[0]), n3_dot(T1, d1) / n3_len(D[2]));
-    browni_raise(S, 2, n3_dot(T0, S[0]), n3_dot(T1, S[2]));
-    for (k = 1; k < 3; k++) f.p[k] = n3_add(D[k], S[k]);
+    for (k = 0; k < 3; k++) f.D[k] = n3_mul(3, n3_sub(e->p[k + 1], e->p[k]));
+    t0 = n3_unit(f.D[0]);
+    t1 = n3_unit(f.D[2]);
+    if (n3i_is_zero(n0)) n0 = n3i_across(n1, t0);
+    if (n3i_is_zero(n1)) n1 = n3i_across(n0, t1);
+    f.S[0] = n3_cross(n0, t0);
+    f.S[2] = n3_cross(n1, t1);
+    f.S[1] = n3_mul((n3_real)1 / 2, n3_add(f.S[0], f.S[2]));
+    t = n3_unit(browni_middle(f.D));
+    mid = n3i_across(n3_unit(mid), t);
+    if (!n3i_is_zero(mid))
+        f.S[1] = n3_sub(n3_mul(2 * n3_len(f.S[1]), n3_cross(mid, t)), f.S[1]);
+    f.n = n3_unit(n3_cross(t, browni_middle(f.S)));
     return f;
 }
 
+/* W, which lies in the plane of D and S, as l D + m S; false where they hardly span one. */
+NAGATA3_API int browni_solve(n3_vec D, n3_vec S, n3_vec W, n3_real *l, n3_real *m)
+{
+    n3_vec d = n3_unit(D), s = n3_unit(S), N = n3_cross(d, s);
+    n3_real NN = n3_dot(N, N);
+    if (!(NN > (n3_real)1 / 256)) return 0;
+    *l = n3_dot(n3_cross(W, s), N) / (NN * n3_len(D));
+    *m = n3_dot(n3_cross(d, W), N) / (NN * n3_len(S));
+    return 1;
+}
+
+/* c += l(t) q(t), l and q quadratic, l given at 0, 1/2 and 1, as a curve of degree 4. */
+NAGATA3_API void browni_add_times(n3_vec *c, const n3_vec q[3], const n3_real l[3])
+{
+    n3_real bump = 4 * l[1] - 2 * (l[0] + l[2]); /* l = linear + bump t (1 - t) */
+    n3_vec a[5], b[5];
+    int k;
+    for (k = 0; k < 3; k++) a[k] = b[k] = q[k];
+    browni_raise(a, 2, l[0], l[2]);
+    browni_raise(a, 3, 1, 1);
+    browni_raise(b, 2, 0, bump);
+    browni_raise(b, 3, 1, 0);
+    for (k = 0; k < 5; k++) c[k] = n3_add(c[k], n3_add(a[k], b[k]));
+}
+
+/* Cross tangents along a side, T[0], T[1] and T[2] at its ends and its middle: l(t) D(t) + m(t) S(t).
+   Linear where there is no S at an end. */
+NAGATA3_API brown_field browni_cross_tangents(const browni_frame *f, const n3_vec T[3])
+{
+    n3_real l[3], m[3];
+    n3_vec c[8];
+    n3_edge linear = n3i_edge_straight(T[0], T[2]);
+    int k;
+    memset(c, 0, sizeof c);
+    if (!browni_solve(f->D[0], f->S[0], T[0], &l[0], &m[0]) ||
+        !browni_solve(f->D[2], f->S[2], T[2], &l[2], &m[2]))
+        return browni_field_of(linear.p, 3);
+    l[1] = (l[0] + l[2]) / 2;
+    m[1] = (m[0] + m[2]) / 2;
+    browni_solve(browni_middle(f->D), browni_middle(f->S), T[1], &l[1], &m[1]);
+    browni_add_times(c, f->D, l);
+    browni_add_times(c, f->S, m);
+    for (k = 0; k < 2; k++) c[4 * k] = T[2 * k];
+    return browni_field_of(c, 4);
+}
+
+NAGATA3_API n3_vertex browni_middle_vertex(const n3_edge *side, const browni_frame *f)
+{
+    n3_vertex v;
+    v.x = n3_edge_point(side, (n3_real)1 / 2);
+    v.n = f->n;
+    return v;
+}
+
 NAGATA3_API brown_square brown_quad_from_edges(const n3_vertex corner[4], const n3_edge edge[4],
-                                               const n3_vec mid[4])
+                                               const n3_vec mid[4], const n3_options *o)
 {
     static const int end[4][2] = {{0, 1}, {3, 2}, {0, 3}, {1, 2}}, round[4] = {0, 2, 3, 1};
     brown_square s;
+    browni_frame f[4];
     int i, k;
     memset(&s, 0, sizeof s);
     s.side[0] = edge[0];
     s.side[1] = n3_edge_reverse(&edge[2]);
     s.side[2] = n3_edge_reverse(&edge[3]);
     s.side[3] = edge[1];
+    for (k = 0; k < 4; k++)
+        f[k] = browni_frame_of(&s.side[k], corner[end[k][0]].n, corner[end[k][1]].n,
+                               mid ? mid[round[k]] : n3_v(0, 0, 0));
     for (k = 0; k < 4; k++) {
-        n3_vec T[2];
-        for (i = 0; i < 2; i++) {
-            const n3_vec *p = &s.side[2 * (k < 2) + i].p[2 * (k % 2)];
-            T[i] = n3_mul(3, n3_sub(p[1], p[0]));
-        }
-        s.across[k].h = browni_cross_tangents(&s.side[k], corner[end[k][0]].n, corner[end[k][1]].n,
-                                              mid ? mid[round[k]] : n3_v(0, 0, 0), T[0], T[1]);
+        const n3_edge *cross = &s.side[k < 2 ? 2 : 0];
+        int first = k / 2 * 2, at = 2 * (k % 2);
+        n3_edge middle = n3_edge_make(browni_middle_vertex(&s.side[first], &f[first]),
+                                      browni_middle_vertex(&s.side[first + 1], &f[first + 1]), o);
+        n3_vec T[3];
+        for (i = 0; i < 2; i++) T[2 * i] = n3_mul(3, n3_sub(cross[i].p[at + 1], cross[i].p[at]));
+        T[1] = n3_mul(3, n3_sub(middle.p[at + 1], middle.p[at]));
+        s.across[k] = browni_cross_tangents(&f[k], T);
     }
     return s;
 }
@@ -764,7 +840,13 @@ NAGATA3_API brown_square brown_quad_make(const n3_vertex corner[4], const n3_opt
     n3_edge edge[4];
     int i;
     for (i = 0; i < 4; i++) edge[i] = n3_edge_make(corner[i], corner[(i + 1) % 4], o);
-    return brown_quad_from_edges(corner, edge, NULL);
+    return brown_quad_from_edges(corner, edge, NULL, o);
+}
+
+NAGATA3_API n3_vec brown_mid_normal(n3_vertex a, n3_vertex b, const n3_vertex c[2],
+                                    const n3_vertex d[2])
+{
+    return n3_add(n3_edge_mid_normal(a, b, c[0], d[0]), n3_edge_mid_normal(a, b, c[1], d[1]));
 }
 
 #ifdef __cplusplus
