@@ -205,15 +205,18 @@ static int numbers_points(const mesh *m)
 /* The points keep their numbers as a field "id", if some are left out and others move up. */
 static void join_points(mesh *m, n3_real weld)
 {
-    int i, first = strcmp(m->format, "MSH") == 0, fields = m->point_fields;
-    if (numbers_points(m) && !mesh_field_find(m->point_field, fields, "id")) {
-        double *value = allocate((size_t)m->points, sizeof *value);
+    const int first = strcmp(m->format, "MSH") == 0, id = m->point_fields;
+    double *value = NULL;
+    int i;
+    if (numbers_points(m) && !mesh_field_find(m->point_field, id, "id")) {
+        value = allocate((size_t)m->points, sizeof *value);
         for (i = 0; i < m->points; i++) value[i] = i + first;
         field_add(&m->point_field, &m->point_fields, "id", 2, 1, value)->whole = 1;
     }
     mesh_join(m, weld);
-    if (m->point_fields > fields && !m->joined && !m->welded && !m->unused)
-        field_drop(m->point_field, &m->point_fields, fields);
+    if (!value) return;
+    for (i = 0; i < m->points && value[i] <= i + first; i++) continue;
+    if (i == m->points) field_drop(m->point_field, &m->point_fields, id);
 }
 
 static void read_mesh(const options *o, mesh *m)

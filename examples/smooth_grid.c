@@ -1,7 +1,6 @@
 /* From the surface to elements, with the fields of the mesh carried along. */
 #include "smooth_grid.h"
 
-
 #include <limits.h>
 #include <stdlib.h>
 
@@ -32,9 +31,8 @@ static void grid_room(grid *g, unsigned with)
         g->normal = allocate((size_t)g->normals, sizeof *g->normal);
         g->corner = allocate(n, 3 * sizeof *g->corner);
     }
-    if (!(with & WITH_FIELDS)) return;
     g->origin = allocate(n, sizeof *g->origin);
-    if (!g->mesh->point_fields) return;
+    if (!(with & WITH_FIELDS) || !g->mesh->point_fields) return;
     g->parent = allocate(nodes, sizeof *g->parent);
     g->uv = allocate(nodes, 2 * sizeof *g->uv);
 }
@@ -100,24 +98,52 @@ static void carry_fields(grid *g)
     for (i = 0; i < g->elements; i++) g->cell[i] = m->cell[g->origin[i]];
 }
 
-/* ---- Facets ---- */
+/* ---- Normals ---- */
 
-static void mean_normals(grid *g)
+static int are_one(n3_vec a, n3_vec b)
+{
+    return n3_dot(n3_unit(a), n3_unit(b)) >= 1 - 16 * N3_EPS;
+}
+
+/* The mesh's own normal, to the bit, where the patch has the same. */
+static n3_vec own_normal(const surface *s, int corner, n3_vec normal)
+{
+    n3_vec own = s->normal[s->corner[corner]];
+    return are_one(own, normal) ? own : normal;
+}
+
+static void own_normals(grid *g)
 {
     int i;
-    g->node_normal = allocate((size_t)g->nodes, sizeof *g->node_normal);
     for (i = 0; i < 3 * g->elements; i++) {
-        n3_vec *sum = &g->node_normal[g->element[i]];
-        *sum = n3_add(*sum, g->normal[g->corner[i]]);
+        n3_vec *normal = &g->normal[g->corner[i]];
+        int corner = 3 * g->origin[i / 3];
+        if (g->element[i] >= g->mesh->points) continue;
+        while (g->mesh->triangle[corner] != g->element[i]) corner++;
+        *normal = own_normal(g->surface, corner, *normal);
     }
-    for (i = 0; i < g->nodes; i++) g->node_normal[i] = n3_unit(g->node_normal[i]);
-    if (g->normal) free(g->normal), free(g->corner);
-    g->normal = NULL, g->corner = NULL;
 }
+
+n3_vec *grid_mean_normals(const grid *g, const int *of, int count)
+{
+    n3_vec *mean = allocate((size_t)count, sizeof *mean);
+    int i;
+    for (i = 0; i < 3 * g->elements; i++)
+        mean[of[i]] = n3_add(mean[of[i]], g->normal[g->corner[i]]);
+    for (i = 0; i < count; i++) mean[i] = n3_unit(mean[i]);
+    for (i = 0; i < 3 * g->elements; i++) {
+        n3_vec normal = g->normal[g->corner[i]];
+        if (are_one(normal, mean[of[i]])) mean[of[i]] = normal;
+    }
+    return mean;
+}
+
+/* ---- Facets ---- */
 
 static void finish_facets(grid *g, unsigned with)
 {
-    if (with & WITH_NODE_NORMALS) mean_normals(g);
+    if (g->normal) own_normals(g);
+    if (with & WITH_NODE_NORMALS) g->node_normal = grid_mean_normals(g, g->element, g->nodes);
     if (with & WITH_FIELDS) carry_fields(g);
 }
 
@@ -132,7 +158,7 @@ void grid_refine(const mesh *m, const surface *s, int level, unsigned with, grid
     for (i = 0; i <= s->topology.edges; i++) g->first[i] = m->points + (level - 1) * i;
     n3_mesh_refine(&s->mesh, &s->topology, s->net, level, g->node, g->element, g->normal, g->corner,
                    g->parent, g->uv);
-    for (i = 0; i < g->elements && g->origin; i++) g->origin[i] = i / (level * level);
+    for (i = 0; i < g->elements; i++) g->origin[i] = i / (level * level);
     finish_facets(g, with);
 }
 
@@ -192,6 +218,10 @@ static void curve_normals(grid *g)
         }
     }
     for (i = 0; i < g->nodes; i++) g->node_normal[i] = n3_unit(g->node_normal[i]);
+    for (i = 0; i < 3 * g->mesh->triangles; i++) {
+        n3_vec *normal = &g->node_normal[g->mesh->triangle[i]];
+        *normal = own_normal(s, i, *normal);
+    }
 }
 
 /* The nodes of an element of the degree 2 or 3 are the points of a refinement with as many parts,
@@ -213,7 +243,7 @@ void grid_curve(const mesh *m, const surface *s, int kind, unsigned with, grid *
     for (i = 0; i < g->elements; i++) {
         int n = element_nodes(g, i, node);
         memcpy(g->element + i * n, node, (size_t)n * sizeof *node);
-        if (g->origin) g->origin[i] = i;
+        g->origin[i] = i;
     }
     if (with & WITH_NODE_NORMALS) curve_normals(g);
     if (with & WITH_FIELDS) carry_fields(g);

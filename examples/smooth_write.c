@@ -13,7 +13,7 @@ typedef struct format {
     int kinds; /* the highest that it can hold */
     int coding, order;
     unsigned with;
-    void (*write)(output *o, grid *g); /* NULL: STEP */
+    void (*write)(output *o, const grid *g); /* NULL: STEP */
 } format;
 
 static const format formats[] = {
@@ -48,17 +48,27 @@ const char *product_refuse(const request *r)
     return NULL;
 }
 
+/* A node on a sharp edge has no one normal; and a field may have the name. */
+static unsigned wanted(const format *f, const mesh *m, const surface *s)
+{
+    if (surface_edges_with(s, N3_EDGE_CREASE | N3_EDGE_HALF_CREASE) ||
+        mesh_field_find(m->point_field, m->point_fields, "normal"))
+        return f->with & ~(unsigned)WITH_NODE_NORMALS;
+    return f->with;
+}
+
 static void make_grid(const request *r, const format *f, const mesh *m, const surface *s, grid *g)
 {
+    const unsigned with = wanted(f, m, s);
     n3_real unit = r->relative ? surface_size(s) : 1;
     int kind = r->kind ? r->kind : f->kinds > FACETS ? CUBIC : FACETS;
     progress("refining", -1, 1);
     if (r->tolerance > 0)
-        grid_adapt(m, s, r->tolerance * unit, f->with, g);
+        grid_adapt(m, s, r->tolerance * unit, with, g);
     else if (r->level || kind == FACETS)
-        grid_refine(m, s, r->level ? r->level : 4, f->with, g);
+        grid_refine(m, s, r->level ? r->level : 4, with, g);
     else
-        grid_curve(m, s, kind, f->with, g);
+        grid_curve(m, s, kind, with, g);
 }
 
 static product write_step(const request *r, const surface *s)

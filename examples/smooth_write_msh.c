@@ -164,7 +164,7 @@ static void put_views(output *o, const char *section, array *list, const numberi
     free(list);
 }
 
-void grid_write_msh(output *o, grid *g)
+void grid_write_msh(output *o, const grid *g)
 {
     const mesh *m = g->mesh;
     numbering nodes = {NULL, NULL}, elements = {NULL, NULL};

@@ -12,13 +12,6 @@ static int cell_type(const grid *g)
     return types[g->kind];
 }
 
-/* Viewers shade by the normals where there is no crease: a node on one has one normal for faces
-   that differ there. */
-static int has_creases(const grid *g)
-{
-    return surface_edges_with(g->surface, N3_EDGE_CREASE | N3_EDGE_HALF_CREASE) > 0;
-}
-
 static array numbers(const char *name, int components, int type, int rows)
 {
     array a = {NULL, 0, 0, 0, NULL, NULL, NULL, 0, 0};
@@ -100,7 +93,7 @@ static sections sections_of(const grid *g)
 {
     sections s = {NULL, {0}};
     int n = 0;
-    append(&s, &n, normals_of(g));
+    if (g->node_normal) append(&s, &n, normals_of(g));
     append_all(&s, &n, grid_node_arrays(g));
     s.end[POINT_DATA] = n;
     append_all(&s, &n, grid_element_arrays(g));
@@ -153,7 +146,7 @@ static void put_appended(output *o, const array *list, int n)
     put_text(o, "\n</AppendedData>\n");
 }
 
-void grid_write_vtu(output *o, grid *g)
+void grid_write_vtu(output *o, const grid *g)
 {
     static const char *const names[] = {"PointData", "CellData", "Points", "Cells"};
     sections s = sections_of(g);
@@ -169,7 +162,7 @@ void grid_write_vtu(output *o, grid *g)
     for (section = 0; section < SECTIONS; section++) {
         put_text(o, "<");
         put_text(o, names[section]);
-        put_text(o, section == POINT_DATA && !has_creases(g) ? " Normals=\"normal\">\n" : ">\n");
+        put_text(o, section == POINT_DATA && g->node_normal ? " Normals=\"normal\">\n" : ">\n");
         for (; i < s.end[section]; i++) put_vtu_array(o, &s.list[i], section, &offset);
         put_text(o, "</");
         put_text(o, names[section]);
@@ -246,9 +239,9 @@ static void put_cells(output *o, const grid *g)
     }
 }
 
-void grid_write_vtk(output *o, grid *g)
+void grid_write_vtk(output *o, const grid *g)
 {
-    array a = grid_places(g), normal = normals_of(g);
+    array a = grid_places(g), normal;
     array *cell_arrays = grid_element_arrays(g);
     put_text(o, "# vtk DataFile Version 3.0\nsmooth\n");
     put_text(o, output_is_text(o) ? "ASCII\n" : "BINARY\n");
@@ -257,8 +250,9 @@ void grid_write_vtk(output *o, grid *g)
     put_text(o, "\n");
     put_cells(o, g);
     put_line(o, "\nPOINT_DATA ", g->nodes, -1, "\n");
-    if (!has_creases(g)) {
+    if (g->node_normal) {
         put_text(o, "NORMALS normal double\n");
+        normal = normals_of(g);
         put_array(o, &normal);
         put_text(o, "\n");
     }
