@@ -206,7 +206,7 @@ static void add_node(reader *r, double number)
 {
     mesh *m = r->mesh;
     int i = r->node.count;
-    if (!m->point_fields) field_add(&m->point_field, &m->point_fields, "id", 2, 1, NULL)->whole = 1;
+    if (!m->point_fields) field_add(&m->point_field, &m->point_fields, "id", 2, 1, NULL)->kind = NUMBERS;
     append(&m->point_field[0], i, number);
     map_add(&r->node, number, i);
 }
@@ -287,7 +287,7 @@ static void add_element(reader *r, const element_type *e, double number, int phy
     mesh *m = r->mesh;
     int i;
     for (i = m->cell_fields; i < FIRST_FIELDS; i++)
-        field_add(&m->cell_field, &m->cell_fields, names[i], strlen(names[i]), 1, NULL)->whole = 1;
+        field_add(&m->cell_field, &m->cell_fields, names[i], strlen(names[i]), 1, NULL)->kind = NUMBERS;
     for (i = 0; i < e->nodes; i++) {
         double node = read_size(r);
         int point = map_find(&r->node, node);

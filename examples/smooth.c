@@ -178,24 +178,6 @@ static options read_options(int argc, char **argv)
     return o;
 }
 
-/* What was done to the mesh before anything else; never in silence, unless asked. */
-static void report_reading(const char *path, const mesh *m)
-{
-    if (m->skipped)
-        fprintf(stderr, "%s: %s: left out %d cells that are no %s\n", program, path, m->skipped,
-                m->boundary ? "volumes" : "faces");
-    if (m->curved)
-        fprintf(stderr, "%s: %s: took the corners alone of %d curved cells\n", program, path,
-                m->curved);
-    if (m->lost_fields)
-        fprintf(stderr, "%s: %s: left out %d fields of no numbers, few or too large ones\n",
-                program, path, m->lost_fields);
-    if (!m->joined && !m->welded && !m->collapsed) return;
-    fprintf(stderr, "%s: %s: joined %d equal points", program, path, m->joined);
-    if (m->reach > 0) fprintf(stderr, " and %d within %.3g", m->welded, (double)m->reach);
-    fprintf(stderr, "; left out %d collapsed triangles\n", m->collapsed);
-}
-
 /* Formats that number their points, from 0 or from 1. */
 static int numbers_points(const mesh *m)
 {
@@ -211,7 +193,7 @@ static void join_points(mesh *m, n3_real weld)
     if (numbers_points(m) && !mesh_field_find(m->point_field, id, "id")) {
         value = allocate((size_t)m->points, sizeof *value);
         for (i = 0; i < m->points; i++) value[i] = i + first;
-        field_add(&m->point_field, &m->point_fields, "id", 2, 1, value)->whole = 1;
+        field_add(&m->point_field, &m->point_fields, "id", 2, 1, value)->kind = NUMBERS;
     }
     mesh_join(m, weld);
     if (!value) return;

@@ -63,25 +63,35 @@ static void number_on(const grid *g, field *f)
     for (; i < g->nodes; i++) f->value[i] = most + i - g->mesh->points + 1;
 }
 
-static void carry_field(const grid *g, const field *from, field *to)
+static void take_nearest(const grid *g, const field *from, double *to)
+{
+    int i, k;
+    for (i = g->mesh->points; i < g->nodes; i++)
+        for (k = 0; k < from->components; k++) *to++ = nearest(g, from, i, k);
+}
+
+static void take_mean(const grid *g, const field *from, double *to)
 {
     const surface *s = g->surface;
-    size_t width = (size_t)from->components;
-    int i, k;
+    const int points = g->mesh->points, rows = g->nodes - points;
+    size_t i, n = (size_t)rows * (size_t)from->components;
+    n3_mesh_field(&s->mesh, &s->topology, 1, from->components, from->value, g->parent + points,
+                  g->uv + 2 * points, rows, to);
+    for (i = 0; i < n && from->kind == COLOURS; i++) to[i] = floor(to[i] + 0.5);
+}
+
+static void carry_field(const grid *g, const field *from, field *to)
+{
+    const size_t kept = (size_t)g->mesh->points * (size_t)from->components;
     *to = *from;
-    to->value = allocate((size_t)g->nodes, width * sizeof *to->value);
-    memcpy(to->value, from->value, (size_t)g->mesh->points * width * sizeof *to->value);
-    if (from->whole && width == 1 && strcmp(from->name, "id") == 0) {
+    to->value = allocate((size_t)g->nodes, (size_t)from->components * sizeof *to->value);
+    memcpy(to->value, from->value, kept * sizeof *to->value);
+    if (from->kind != NUMBERS)
+        take_mean(g, from, to->value + kept);
+    else if (from->components == 1 && strcmp(from->name, "id") == 0)
         number_on(g, to);
-    } else if (from->whole) {
-        for (i = g->mesh->points; i < g->nodes; i++)
-            for (k = 0; k < from->components; k++)
-                to->value[(size_t)i * width + (size_t)k] = nearest(g, from, i, k);
-    } else {
-        int points = g->mesh->points;
-        n3_mesh_field(&s->mesh, &s->topology, 1, from->components, from->value, g->parent + points,
-                      g->uv + 2 * points, g->nodes - points, to->value + (size_t)points * width);
-    }
+    else
+        take_nearest(g, from, to->value + kept);
 }
 
 static void carry_fields(grid *g)
@@ -296,16 +306,18 @@ void put_array(output *o, const array *a)
     }
 }
 
-/* Whole numbers where all are, in as many bytes as they need. */
+/* The type with the fewest bytes that holds all numbers of things, or bytes of colours. */
 static int type_of(const field *f, int rows)
 {
     const double exact = 9007199254740992; /* 2^53 */
     size_t i, n = (size_t)rows * (size_t)f->components;
-    int type = f->whole ? INT32 : FLOAT64;
-    for (i = 0; i < n && type != FLOAT64; i++) {
+    int type = f->kind == COLOURS ? UINT8 : INT32;
+    if (f->kind == VALUES) return FLOAT64;
+    for (i = 0; i < n; i++) {
         double x = f->value[i];
+        if (!(fabs(x) <= exact) || x > floor(x)) return FLOAT64;
+        if (type == UINT8 && !(x >= 0 && x <= 255)) type = INT32;
         if (!(x >= INT_MIN && x <= INT_MAX)) type = INT64;
-        if (!(fabs(x) <= exact)) type = FLOAT64;
     }
     return type;
 }

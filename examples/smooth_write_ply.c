@@ -108,15 +108,18 @@ static vertices make_vertices(const grid *g)
     return v;
 }
 
-static int ply_type(int type) { return type == INT32 ? INT32 : FLOAT64; }
+/* PLY knows no integers of eight bytes. */
+static int ply_type(int type) { return type == INT64 ? FLOAT64 : type; }
 
 /* A name has no blanks; components are counted. */
 static void put_properties(output *o, const array *a)
 {
+    static const char *const types[] = {"property uchar ", "property int ", NULL, NULL,
+                                        "property double "};
     const char *c;
     int k;
     for (k = 0; k < a->components; k++) {
-        put_text(o, ply_type(a->type) == INT32 ? "property int " : "property double ");
+        put_text(o, types[ply_type(a->type)]);
         for (c = a->name; *c; c++) put_bytes(o, *c > ' ' && *c < 127 ? c : "_", 1);
         if (a->components > 1) put_text(o, "_"), put_number(o, k);
         put_text(o, "\n");

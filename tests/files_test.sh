@@ -193,7 +193,7 @@ holds 'VTK with CR LF' "$(printf %s "$vtk$vtk_face" | sed 's/\\n/\\r\\n/g')" '0 
 holds 'VTK with data of all kinds' "$vtk${vtk_face}POINT_DATA 3\nCOLOR_SCALARS c 2\n0 1 .2 .4 .6 .8
 TEXTURE_COORDINATES t 2 float\n1 2 3 4 5 6\nEDGE_FLAGS e bit\n1 0 1\nFIELD f 1\nNormals 3 3 float
 0 0 1 0 0 1 0 0 1\nCELL_DATA 1\nTENSORS m float\n1 2 3\n4 5 6\n7 8 9\nNORMALS n char\n0 0 1\n" \
-    "point field 'c' 2 whole: 0 255 51 102 153 204" "point field 't' 2 real: 1 2 3 4 5 6" \
+    "point field 'c' 2 colours: 0 255 51 102 153 204" "point field 't' 2 real: 1 2 3 4 5 6" \
     "point field 'e' 1 whole: 1 0 1" "cell field 'm' 9 real: 1 2 3 4 5 6 7 8 9" \
     "cell field 'n' 3 whole: 0 0 1" '0 1 2 of 0 (0 0 1) (0 0 1) (0 0 1)'
 holds 'VTK with bits' '# vtk DataFile Version 3.0\n\nBINARY\nDATASET POLYDATA\nPOINTS 3 char
