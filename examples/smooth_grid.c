@@ -322,24 +322,27 @@ static int type_of(const field *f, int rows)
     return type;
 }
 
-static array array_of(const field *f, int rows, int type)
+static array array_of(const char *name, int components, int rows, int type, const double *real)
 {
     array a = {NULL, 0, 0, 0, NULL, NULL, NULL, 0, 0};
-    a.name = f->name;
-    a.components = f->components;
+    a.name = name;
+    a.components = components;
     a.type = type;
     a.rows = rows;
-    a.real = f->value;
+    a.real = real;
     return a;
 }
 
 array *grid_node_arrays(const grid *g)
 {
-    const int n = g->point_field ? g->mesh->point_fields : 0;
-    array *list = allocate((size_t)n + 1, sizeof *list);
+    const int fields = g->point_field ? g->mesh->point_fields : 0;
+    array *list = allocate((size_t)fields + 2, sizeof *list), *to = list;
     int i;
-    for (i = 0; i < n; i++)
-        list[i] = array_of(&g->point_field[i], g->nodes, type_of(&g->point_field[i], g->nodes));
+    if (g->node_normal) *to++ = array_of("Normals", 3, g->nodes, FLOAT64, &g->node_normal->x);
+    for (i = 0; i < fields; i++) {
+        const field *f = &g->point_field[i];
+        *to++ = array_of(f->name, f->components, g->nodes, type_of(f, g->nodes), f->value);
+    }
     return list;
 }
 
@@ -350,7 +353,8 @@ array *grid_element_arrays(const grid *g)
     array *list = allocate((size_t)n + 1, sizeof *list);
     int i;
     for (i = 0; i < n; i++) {
-        list[i] = array_of(&m->cell_field[i], g->elements, type_of(&m->cell_field[i], m->cells));
+        const field *f = &m->cell_field[i];
+        list[i] = array_of(f->name, f->components, g->elements, type_of(f, m->cells), f->value);
         list[i].map = g->cell;
     }
     return list;
@@ -358,8 +362,5 @@ array *grid_element_arrays(const grid *g)
 
 array grid_places(const grid *g)
 {
-    array a = {"points", 3, FLOAT64, 0, NULL, NULL, NULL, 0, 0};
-    a.rows = g->nodes;
-    a.real = &g->node->x;
-    return a;
+    return array_of("points", 3, g->nodes, FLOAT64, &g->node->x);
 }

@@ -52,7 +52,7 @@ const char *product_refuse(const request *r)
 static unsigned wanted(const format *f, const mesh *m, const surface *s)
 {
     if (surface_edges_with(s, N3_EDGE_CREASE | N3_EDGE_HALF_CREASE) ||
-        mesh_field_find(m->point_field, m->point_fields, "normal"))
+        mesh_field_find(m->point_field, m->point_fields, "Normals"))
         return f->with & ~(unsigned)WITH_NODE_NORMALS;
     return f->with;
 }
