@@ -49,6 +49,7 @@ typedef struct mesh {
     int welded;      /* points that lie within the tolerance of another one */
     int collapsed;   /* triangles left out: two of their corners are one point */
     int unused;      /* points left out: in no triangle */
+    double highest;  /* number, in the field "id", of a point of the file */
     n3_real reach;   /* the tolerance, a length */
 } mesh;
 

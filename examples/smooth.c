@@ -184,20 +184,29 @@ static int numbers_points(const mesh *m)
     return strcmp(m->format, "OBJ") && strcmp(m->format, "STL") && strcmp(m->format, "PLY");
 }
 
-/* The points keep their numbers as a field "id", if some are left out and others move up. */
+/* Numbers the points by a field "id", unless they have one. False if they have. */
+static int number_points(mesh *m, int first)
+{
+    double *value;
+    int i;
+    if (mesh_field_find(m->point_field, m->point_fields, "id")) return 0;
+    value = allocate((size_t)m->points, sizeof *value);
+    for (i = 0; i < m->points; i++) value[i] = i + first;
+    field_add(&m->point_field, &m->point_fields, "id", 2, 1, value)->kind = NUMBERS;
+    return 1;
+}
+
+/* The points keep their numbers, if others of the file's cells have been left out or move up. */
 static void join_points(mesh *m, n3_real weld)
 {
     const int first = strcmp(m->format, "MSH") == 0, id = m->point_fields;
-    double *value = NULL;
-    int i;
-    if (numbers_points(m) && !mesh_field_find(m->point_field, id, "id")) {
-        value = allocate((size_t)m->points, sizeof *value);
-        for (i = 0; i < m->points; i++) value[i] = i + first;
-        field_add(&m->point_field, &m->point_fields, "id", 2, 1, value)->kind = NUMBERS;
-    }
+    int i, added = numbers_points(m) && number_points(m, first);
+    const field *f = mesh_field_find(m->point_field, m->point_fields, "id");
+    for (i = 0; f && i < m->points; i++)
+        if (f->value[i] > m->highest) m->highest = f->value[i];
     mesh_join(m, weld);
-    if (!value) return;
-    for (i = 0; i < m->points && value[i] <= i + first; i++) continue;
+    if (!added || m->skipped) return;
+    for (i = 0; i < m->points && f->value[i] <= i + first; i++) continue;
     if (i == m->points) field_drop(m->point_field, &m->point_fields, id);
 }
 

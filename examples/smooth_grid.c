@@ -56,7 +56,7 @@ static double nearest(const grid *g, const field *f, int node, int component)
 /* The points' own numbers, which no two share: new nodes go on from the highest. */
 static void number_on(const grid *g, field *f)
 {
-    double most = 0;
+    double most = g->mesh->highest;
     int i;
     for (i = 0; i < g->mesh->points; i++)
         if (f->value[i] > most) most = f->value[i];
