@@ -1,9 +1,11 @@
 /* What kind of file, and what goes into it. */
 #include "smooth_grid.h"
 
+#include <float.h>
 #include <stdlib.h>
 
-/* Up to so many elements a file is text that people can read, unless they want it otherwise. */
+/* Up to so many elements a file is text that people can read, unless they want it otherwise or it
+   has numbers that programs cannot read. */
 enum { READABLE = 10000 };
 
 enum { TEXT = 1, BYTES = 2 }; /* what a format knows */
@@ -84,17 +86,32 @@ static product write_step(const request *r, const surface *s)
     return out;
 }
 
+/* VTK for one stops at a NaN in a text. */
+static int are_finite(const field *list, int fields, int rows)
+{
+    int i, k;
+    for (i = 0; i < fields; i++)
+        for (k = 0; k < rows * list[i].components; k++)
+            if (!(fabs(list[i].value[k]) <= DBL_MAX)) return 0;
+    return 1;
+}
+
+static int is_readable(const request *r, const format *f, const mesh *m, const grid *g)
+{
+    if (f->coding != (TEXT | BYTES)) return f->coding == TEXT;
+    if (r->text >= 0) return r->text;
+    return g->elements <= READABLE && are_finite(m->point_field, m->point_fields, m->points) &&
+           are_finite(m->cell_field, m->cell_fields, m->cells);
+}
+
 static product write_grid(const request *r, const format *f, const mesh *m, const surface *s)
 {
     static const char *const kinds[] = {"flat", "quadratic", "cubic", "cubic"};
     product out = {NULL, NULL, 0, 0, 0, 0};
     grid g;
     output *o;
-    int readable;
     make_grid(r, f, m, s, &g);
-    readable = r->text >= 0 ? r->text : g.elements <= READABLE;
-    if (f->coding != (TEXT | BYTES)) readable = f->coding == TEXT;
-    o = output_open(r->path, readable ? AS_TEXT : f->order);
+    o = output_open(r->path, is_readable(r, f, m, &g) ? AS_TEXT : f->order);
     f->write(o, &g);
     output_close(o);
     out.kind = kinds[g.kind];

@@ -35,19 +35,32 @@ static array count_up(const char *name, int type, const grid *g, int first, int 
 
 /* ---- VTU ---- */
 
+/* The bytes of the character of UTF-8 at s; 0 if none begins there that XML has. */
+static size_t character_bytes(const char *s)
+{
+    const unsigned char *b = (const unsigned char *)s;
+    size_t n = *b < ' ' ? 0 : *b < 0x80 ? 1 : *b < 0xc2 ? 0 : *b < 0xe0 ? 2 : *b < 0xf0 ? 3 : 4, i;
+    if (*b > 0xf4) return 0;
+    for (i = 1; i < n; i++)
+        if ((b[i] & 0xc0) != 0x80) return 0;
+    return n;
+}
+
 /* Names in attributes. */
 static void put_escaped(output *o, const char *s)
 {
-    for (; *s; s++) {
+    while (*s) {
         const char *as = *s == '&'   ? "&amp;"
                          : *s == '<' ? "&lt;"
                          : *s == '>' ? "&gt;"
                          : *s == '"' ? "&quot;"
                                      : NULL;
-        if (as)
-            put_text(o, as);
+        size_t n = character_bytes(s);
+        if (as || !n)
+            put_text(o, as ? as : "_");
         else
-            put_bytes(o, s, 1);
+            put_bytes(o, s, n);
+        s += n ? n : 1;
     }
 }
 
