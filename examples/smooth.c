@@ -10,7 +10,7 @@ const char program[] = "smooth";
 static const char usage[] =
     "usage: smooth IN -o OUT [-n LEVEL | --tol T[%] | --order 2|3 | --bezier] [--text | --binary]\n"
     "              [--rule paper|arc|fit|nagata|pn|flat] [--boundary] [--crease DEG] [--weld REL]\n"
-    "              [--report] [--json] [--quiet]\n";
+    "              [--report] [--json] [--times] [--quiet]\n";
 
 static const char help[] =
     "Lays a smooth surface through the points of a mesh of triangles, tangent to its normals.\n"
@@ -39,6 +39,7 @@ static const char help[] =
     "  --weld REL     join points closer than this part of the bounding box's diagonal. Equal\n"
     "                 points are always joined. (STL: 1e-6, others: 0)\n"
     "  --report       say on stdout what was found and done; with --json, as JSON\n"
+    "  --times        say on stderr how long each kind of work took\n"
     "  --quiet        no statistics and no progress on stderr\n"
     "  -h, --help     this text\n"
     "  --version      the version\n"
@@ -51,7 +52,7 @@ typedef struct options {
     const char *in;
     request out; /* path NULL: none */
     const smooth_rule *rule;
-    int boundary, report, json, quiet;
+    int boundary, report, json, quiet, times;
     n3_real crease; /* degrees */
     n3_real weld;   /* negative: by the format */
 } options;
@@ -119,6 +120,8 @@ static int read_switch(options *o, const char *a)
         o->report = o->json = 1;
     else if (!strcmp(a, "--quiet"))
         o->quiet = 1;
+    else if (!strcmp(a, "--times"))
+        o->times = 1;
     else
         return 0;
     return 1;
@@ -154,7 +157,7 @@ static void check_options(const options *o)
 
 static options read_options(int argc, char **argv)
 {
-    options o = {NULL, {NULL, 0, FACETS, 0, 0, -1}, NULL, 0, 0, 0, 0, 50, -1};
+    options o = {NULL, {NULL, 0, FACETS, 0, 0, -1}, NULL, 0, 0, 0, 0, 0, 50, -1};
     int i;
     o.rule = smooth_rule_find("paper");
     for (i = 1; i < argc; i++) {
@@ -233,11 +236,12 @@ int main(int argc, char **argv)
     output_catch_signals();
     if (o.quiet) progress_hide();
     read_mesh(&o, &m);
-    progress("laying the surface", -1, 1);
     surface_make(o.in, &m, o.rule, cos(o.crease * degree), &s);
     if (o.out.path) out = product_write(&o.out, &m, &s);
-    progress_hide();
+    progress("measuring", -1, 1);
     r = n3_mesh_report(&s.mesh, &s.topology, s.net, s.flags);
+    progress_hide();
+    if (o.times) progress_times(m.triangles);
     if (!o.quiet) report_line(o.in, &s, &r, &out);
     if (o.report) (o.json ? report_json : report_text)(o.in, &m, &s, &r, &out);
     surface_free(&s);
