@@ -149,7 +149,8 @@ NAGATA3_API join_status join_rim_make(const join_border *b, int loop, int from_n
    twisting [2]. start: a point of each mesh, or NULL. along: -1, B runs against its triangles, as
    it must for both meshes to keep their outsides; 1, with them, and B is turned inside out; 0,
    whatever is found, where turning has to be better by a factor of 2.
-   64 comparisons for each point of the larger loop and each direction. */
+   Loops in the same places are refused. 64 comparisons for each point of the larger loop and each
+   direction. */
 NAGATA3_API join_status join_rims_match(join_rim *a, join_rim *b, const int start[2], int along,
                                         int *item);
 
@@ -524,10 +525,32 @@ NAGATA3_API n3_real joini_match(join_rim *a, join_rim *b, const int start[2])
     return start ? joini_cost(a, b, way, size) : joini_best_start(a, b, way, size);
 }
 
+/* True if the rims run through the same places from their starts on. */
+NAGATA3_API int joini_same_places(const join_rim *a, const join_rim *b)
+{
+    int i = 0;
+    while (i < a->count && n3i_order(joini_at(a, i)->x, joini_at(b, i)->x) == 0) i++;
+    return i == a->count;
+}
+
+NAGATA3_API int joini_are_coincident(const join_rim *a, const join_rim *b)
+{
+    join_rim r = *b;
+    int i;
+    if (a->count != b->count) return 0;
+    for (i = 0; i < 2 * b->count; i++) {
+        r.start = i / 2;
+        r.step = i % 2 ? 1 : -1;
+        if (joini_same_places(a, &r)) return 1;
+    }
+    return 0;
+}
+
 NAGATA3_API join_status join_rims_match(join_rim *a, join_rim *b, const int start[2], int along,
                                         int *item)
 {
     join_rim turned_a = *a, turned_b;
+    if (joini_are_coincident(a, b)) return joini_blame(JOIN_COINCIDENT, -1, item);
     if (start && joini_vertex_of(a, start[0]) < 0) return joini_blame(JOIN_BAD_START, 0, item);
     if (start && joini_vertex_of(b, start[1]) < 0) return joini_blame(JOIN_BAD_START, 1, item);
     a->even = b->even = turned_a.even = a->count == b->count;
@@ -645,15 +668,17 @@ NAGATA3_API n3_vec joini_work_plane(const join_rim *a, int k, n3_vec o1, n3_vec 
     return n3i_upright(axis, n3_unit(n3_sub(joini_at(a, k)->x, o1)));
 }
 
-/* Moves B's points into the planes before any line is sought, as its triangles change with them. */
+/* Moves B's points into the planes before any line is sought, as its triangles change with them.
+   Centres nearer to each other than half the digits of the loops' size are one. */
 NAGATA3_API join_status joini_fujita_columns(const join_rim *a, const join_rim *b,
                                              const n3_real part[2], join_column *column,
                                              n3_vec *moved, int *item)
 {
     n3_mesh mesh_b = *b->border->mesh;
-    n3_real unused = 0;
-    n3_vec o1 = joini_centre(a, &unused), axis = n3_unit(n3_sub(joini_centre(b, &unused), o1));
+    n3_real size = 0;
+    n3_vec o1 = joini_centre(a, &size), axis = n3_sub(joini_centre(b, &size), o1);
     int k;
+    axis = n3_len(axis) <= N3_OPPOSITE * size ? n3_v(0, 0, 0) : n3_unit(axis);
     for (k = 0; k < mesh_b.points; k++) moved[k] = n3i_point(&mesh_b, k);
     mesh_b.point = &moved->x;
     mesh_b.point_stride = 0;
@@ -694,8 +719,6 @@ NAGATA3_API join_status join_columns(const join_rim *a, const join_rim *b, const
                                      int *item)
 {
     join_options used = joini_defaults(o);
-    join_status status = JOIN_COINCIDENT;
-    int i;
     bridge->a = *a;
     bridge->b = *b;
     bridge->column = column;
@@ -706,9 +729,7 @@ NAGATA3_API join_status join_columns(const join_rim *a, const join_rim *b, const
     if (n3i_count_add(a->count, b->count) < 0) return JOIN_BAD_COUNT;
     if (bridge->fixed) return joini_fujita_columns(a, b, used.strength, column, moved, item);
     bridge->columns = joini_make_columns(a, b, &used, column);
-    for (i = 0; i < bridge->columns; i++)
-        if (n3i_order(column[i].curve.p[0], column[i].curve.p[3]) != 0) status = JOIN_OK;
-    return status;
+    return JOIN_OK;
 }
 
 NAGATA3_API int join_rows(const join_bridge *bridge, n3_real tolerance)
@@ -813,11 +834,13 @@ NAGATA3_API int joini_cut(const join_bridge *b, const n3_vec *point, const int c
     return b->fixed || !(other < one - one / 1024);
 }
 
-/* The triangles between row r and the next, whose own points begin with first and next. */
+/* The triangles between row r and the next, whose own points begin with first and next. No point
+   has all of the other row, or the edge where that begins and ends would have four triangles. */
 NAGATA3_API int *joini_strip(const join_bridge *b, int r, int first, int next, const n3_vec *point,
                              int *triangle)
 {
-    int i = 0, k = 0, n = joini_row_count(b, r), m = joini_row_count(b, r + 1), cell[4], forward;
+    int n = joini_row_count(b, r), m = joini_row_count(b, r + 1), cell[4], forward;
+    int i = 0, k = 0, i_at_k = 0, k_at_i = 0; /* where the other one was at the last step */
     while (i < n || k < m) {
         n3_real s = i < n ? joini_row_s(b, r, i + 1) : 2;
         n3_real q = k < m ? joini_row_s(b, r + 1, k + 1) : 2;
@@ -826,12 +849,19 @@ NAGATA3_API int *joini_strip(const join_bridge *b, int r, int first, int next, c
         cell[2] = joini_number(b, r + 1, next, k);
         cell[3] = joini_number(b, r + 1, next, k < m ? k + 1 : k);
         forward = q < s || (!(s < q) && joini_cut(b, point, cell));
+        if (k == m - 1 && i < n && k_at_i == 0) forward = 0;
+        if (i == n - 1 && k < m && i_at_k == 0) forward = 1;
         triangle[0] = cell[0];
         triangle[1] = cell[2];
         triangle[2] = forward ? cell[3] : cell[1];
         triangle += 3;
-        if (forward) k++;
-        else i++;
+        if (forward) {
+            k++;
+            i_at_k = i;
+        } else {
+            i++;
+            k_at_i = k;
+        }
     }
     return triangle;
 }

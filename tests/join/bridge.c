@@ -178,14 +178,16 @@ static void test_no_self_intersection(void)
     }
 }
 
-/* The test sees them: where one loop runs the wrong way the curves pass through each other. */
+/* The test sees them: where one loop runs the wrong way the curves pass through each other; away
+   from the symmetric place, where they would do so in single points. */
 static void test_self_intersection_is_seen(void)
 {
-    pair *p = pair_open(0, AROUND, AROUND);
+    pair *p = pair_open(3, AROUND, 17);
     joined j;
     p->b.rim.step = 1;
+    p->b.rim.start = (p->b.rim.start + 2) % 17;
     j = pair_join(p, JOIN_STRAIGHT, 4);
-    CHECK(cuts(&j) >= AROUND, 0);
+    CHECK(cuts(&j) > 10, 0);
     joined_free(&j);
     pair_free(p);
 }
@@ -247,9 +249,9 @@ static void test_opposite_orientation(void)
             c[1] = c[2];
             c[2] = swap;
         }
-        part_free(&p->b);
-        part_open(&upper->mesh, &p->b);
-        CHECK(part_take(&p->b, 0) == JOIN_OK, row);
+        body_free(&p->b);
+        body_open(&upper->mesh, &p->b);
+        CHECK(body_take(&p->b, 0) == JOIN_OK, row);
         CHECK(join_rims_match(&p->a.rim, &p->b.rim, NULL, 0, NULL) == JOIN_OK, row);
         CHECK(p->b.rim.step == 1, row);
         turned = pair_join(p, JOIN_NAGATA, 3);
@@ -354,11 +356,11 @@ static void move_tubes(pair *p, n3_real scale, n3_vec by)
 {
     int k, i, start[2];
     for (k = 0; k < 2; k++) {
-        part *q = k ? &p->b : &p->a;
+        body *q = k ? &p->b : &p->a;
         start[k] = q->rim.vertex[q->rim.start].point;
         for (i = 0; i < p->tube[k].mesh.points; i++)
             p->tube[k].point[i] = n3_add(n3_mul(scale, p->tube[k].point[i]), by);
-        CHECK(part_take(q, start[k]) == JOIN_OK, k);
+        CHECK(body_take(q, start[k]) == JOIN_OK, k);
     }
     CHECK(join_rims_match(&p->a.rim, &p->b.rim, NULL, 0, NULL) == JOIN_OK, 0);
 }

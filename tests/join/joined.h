@@ -10,7 +10,7 @@
 extern const test_case tests_bridge[], tests_fujita[], tests_awkward[];
 
 /* A mesh and one of its loops. It must not move. */
-typedef struct part {
+typedef struct body {
     n3_mesh mesh;
     n3_topology topology;
     void *work;
@@ -19,7 +19,7 @@ typedef struct part {
     join_border border;
     join_vertex *vertex;
     join_rim rim;
-} part;
+} body;
 
 typedef struct joined {
     join_status status;
@@ -42,7 +42,7 @@ static inline void *topology_of(const n3_mesh *m, n3_topology *t)
     return work;
 }
 
-static inline void part_open(const n3_mesh *m, part *p)
+static inline void body_open(const n3_mesh *m, body *p)
 {
     size_t sides;
     p->mesh = *m;
@@ -56,13 +56,13 @@ static inline void part_open(const n3_mesh *m, part *p)
 }
 
 /* Takes the loop with the point; answers what join_rim_make does. */
-static inline join_status part_take(part *p, int point)
+static inline join_status body_take(body *p, int point)
 {
     int loop = join_border_with(&p->border, point);
     return join_rim_make(&p->border, loop, 0, p->vertex, &p->rim);
 }
 
-static inline void part_free(part *p)
+static inline void body_free(body *p)
 {
     free(p->work);
     free(p->scratch);
@@ -72,7 +72,7 @@ static inline void part_free(part *p)
 }
 
 /* From rims that are matched. Where the status is not JOIN_OK there is no mesh. */
-static inline void join_rims(const part *a, const part *b, const join_options *o, int rows,
+static inline void join_rims(const body *a, const body *b, const join_options *o, int rows,
                              joined *j)
 {
     memset(j, 0, sizeof *j);
@@ -104,7 +104,7 @@ static inline void joined_free(joined *j)
 /* One of the five inputs, with so many points around below and above, matched. */
 typedef struct pair {
     tube tube[2];
-    part a, b;
+    body a, b;
 } pair;
 
 static inline pair *pair_open(int number, int lower, int upper)
@@ -112,18 +112,18 @@ static inline pair *pair_open(int number, int lower, int upper)
     pair *p = memory(1, sizeof *p);
     input_make(number, 0, lower, &p->tube[0]);
     input_make(number, 1, upper, &p->tube[1]);
-    part_open(&p->tube[0].mesh, &p->a);
-    part_open(&p->tube[1].mesh, &p->b);
-    CHECK(part_take(&p->a, input_start(&p->tube[0], 0)) == JOIN_OK, number);
-    CHECK(part_take(&p->b, input_start(&p->tube[1], 1)) == JOIN_OK, number);
+    body_open(&p->tube[0].mesh, &p->a);
+    body_open(&p->tube[1].mesh, &p->b);
+    CHECK(body_take(&p->a, input_start(&p->tube[0], 0)) == JOIN_OK, number);
+    CHECK(body_take(&p->b, input_start(&p->tube[1], 1)) == JOIN_OK, number);
     CHECK(join_rims_match(&p->a.rim, &p->b.rim, NULL, 0, NULL) == JOIN_OK, number);
     return p;
 }
 
 static inline void pair_free(pair *p)
 {
-    part_free(&p->a);
-    part_free(&p->b);
+    body_free(&p->a);
+    body_free(&p->b);
     free(p);
 }
 
