@@ -41,7 +41,7 @@
  *     join_columns           the curves
  *     join_rows              how many rows a tolerance needs
  *     join_counts            how much there will be
- *     join_mesh              the one mesh
+ *     join_mesh              the one mesh; join_seam, how smooth it has become
  *
  * DEGENERATE INPUT
  *
@@ -163,7 +163,7 @@ typedef struct join_bridge {
     join_rim a, b;
     const join_column *column;
     int columns, rows; /* rows of points between the loops, 0 or more: the caller's */
-    int fixed;         /* all cells are cut as Fujita does, not along the shorter diagonal */
+    int fixed;         /* all cells are cut as Fujita does, not the better way */
 } join_bridge;
 
 /* The curves, by the options, at every vertex of both rims. column: [count of A + count of B].
@@ -188,6 +188,12 @@ NAGATA3_API join_status join_counts(const join_bridge *bridge, int *points, int 
    as many as join_counts says, 1 and 3 elements each. Linear; n log n for unequal loops. */
 NAGATA3_API join_status join_mesh(const join_bridge *bridge, const n3_vec *moved, n3_vec *point,
                                   int *triangle);
+
+/* How the joined mesh bends across its seam with A, end 0, or with B: the least and the largest
+   |n - n'|, 2 sin of half the angle, of two triangles' unit normals. Returns the number of edges
+   of the seam. */
+NAGATA3_API int join_seam(const join_bridge *bridge, const n3_mesh *joined,
+                          const n3_topology *topology, int end, n3_real jump[2]);
 
 /* ---- Definitions: status ---- */
 
@@ -333,24 +339,40 @@ NAGATA3_API n3_vec joini_way_out(const join_border *b, int side)
     return n3_unit(n3_cross(n3_unit(n3_sub(x1, x0)), n));
 }
 
-/* The unit tangent between the planes of two border triangles, from out, the mean of the ways out
-   across both. Laid into the mean plane it turns into the planes' intersection by the share that a
-   crease has in the edges of nagata3.h: all of it from 5.7 degrees between the planes on, none
-   below 1.1 or where it runs along the border, as neighbours would turn against each other. The
-   seam then keeps some of that angle, however many rows there are: half of it along the border, a
-   border that the triangles twist round, and at most 0.9 degrees elsewhere. */
-NAGATA3_API n3_vec joini_tangent(const n3_vec plane[2], n3_vec out)
+/* The part of the way from one direction to another up to where it comes within 14.5 degrees of
+   the border: a and b are the cosines of both with the way out across it. */
+NAGATA3_API n3_real joini_reach(n3_real a, n3_real b)
 {
-    n3i_joint joint = n3i_joint_of_pairs(plane, 2, out);
-    out = n3_unit(n3i_off(out, n3_unit(n3_add(plane[0], plane[1]))));
-    return n3_unit(n3_add(n3_mul(1 - joint.share, out), n3_mul(joint.share, joint.crease)));
+    const n3_real low = (n3_real)1 / 4;
+    if (b >= low) return 1;
+    return a > low ? (a - low) / (a - b) : 0;
+}
+
+/* The unit tangent between the planes of two border triangles, from the ways out across them.
+   The mean of these, laid into the mean plane, turns into the planes' intersection by the share
+   that a crease has in the edges of nagata3.h, all of it from 5.7 degrees between the planes on,
+   none below 1.1 or where it runs along the border; and no farther than it still leaves both
+   triangles. The seam then keeps some of the angle between the planes, however many rows there
+   are: at most 0.9 degrees, but half of the angle where the planes meet along the border. */
+NAGATA3_API n3_vec joini_tangent(const n3_vec plane[2], const n3_vec out[2])
+{
+    n3_vec mean = n3_unit(n3_add(out[0], out[1]));
+    n3i_joint joint = n3i_joint_of_pairs(plane, 2, mean);
+    n3_real w = joint.share;
+    int i;
+    mean = n3_unit(n3i_off(mean, n3_unit(n3_add(plane[0], plane[1]))));
+    for (i = 0; i < 2; i++) {
+        n3_real most = joini_reach(n3_dot(mean, out[i]), n3_dot(joint.crease, out[i]));
+        if (most < w) w = most;
+    }
+    return n3_unit(n3_add(n3_mul(1 - w, mean), n3_mul(w, joint.crease)));
 }
 
 /* At the point between the border sides before and after it. */
 NAGATA3_API join_vertex joini_vertex(const join_border *b, int before, int after, int from_normals)
 {
     const n3_mesh *m = b->mesh;
-    n3_vec plane[2], given[2];
+    n3_vec plane[2], given[2], out[2];
     join_vertex v;
     int i;
     v.side = after;
@@ -364,7 +386,9 @@ NAGATA3_API join_vertex joini_vertex(const join_border *b, int before, int after
     for (i = 0; i < 2; i++)
         if (from_normals && !n3i_is_zero(given[i])) plane[i] = given[i];
     v.n = n3_unit(n3_add(plane[0], plane[1]));
-    v.t = joini_tangent(plane, n3_unit(n3_add(joini_way_out(b, before), joini_way_out(b, after))));
+    out[0] = joini_way_out(b, before);
+    out[1] = joini_way_out(b, after);
+    v.t = joini_tangent(plane, out);
     return v;
 }
 
@@ -825,13 +849,52 @@ NAGATA3_API int joini_number(const join_bridge *b, int r, int first, int k)
     return first + k;
 }
 
-/* Of the cell with two new corners, i + 1 on row r and k + 1 on the next: true if the diagonal
-   from k + 1 is the better one, longer than the other by no more than one part in 1024. */
-NAGATA3_API int joini_cut(const join_bridge *b, const n3_vec *point, const int cell[4])
+/* How much a triangle bends, |n - n'|, from one with the unit normal face. */
+NAGATA3_API n3_real joini_bend(n3_vec a, n3_vec b, n3_vec c, n3_vec face)
 {
-    n3_real one = n3_len(n3_sub(point[cell[0]], point[cell[3]]));
-    n3_real other = n3_len(n3_sub(point[cell[1]], point[cell[2]]));
-    return b->fixed || !(other < one - one / 1024);
+    n3_vec n = n3_cross(n3_unit(n3_sub(b, a)), n3_unit(n3_sub(c, a)));
+    return n3_len(n3_sub(n3_unit(n), face));
+}
+
+/* The normal of the border triangle at the side from vertex k to the next, as it looks in the
+   joined mesh. */
+NAGATA3_API n3_vec joini_border_normal(const join_rim *r, int k, int turned)
+{
+    int side = joini_at(r, r->step > 0 ? k : k + 1)->side;
+    n3_vec n = n3i_fan_normal(r->border->mesh, r->border->topology, side / 3);
+    return turned ? n3i_neg(n) : n;
+}
+
+/* How much better the seam becomes by the diagonal from vertex k + 1 of the next row than by the
+   other one, in the cell of the vertices i and k; 0 where there is no seam. */
+NAGATA3_API n3_real joini_gain(const join_bridge *b, int r, int i, int k, const n3_vec x[4])
+{
+    n3_vec face;
+    if (r == 0) {
+        face = joini_border_normal(&b->a, i, 0);
+        return joini_bend(x[0], x[2], x[1], face) - joini_bend(x[0], x[3], x[1], face);
+    }
+    if (r < b->rows) return 0;
+    face = joini_border_normal(&b->b, k, b->b.step > 0);
+    return joini_bend(x[1], x[2], x[3], face) - joini_bend(x[0], x[2], x[3], face);
+}
+
+/* Of the cell with two new corners, i + 1 on row r and k + 1 on the next: true if the diagonal
+   from k + 1 is the better one: at a seam by 0.9 degrees there, else by being longer than the other
+   by no more than one part in 1024. */
+NAGATA3_API int joini_cut(const join_bridge *b, int r, int i, int k, const n3_vec *point,
+                          const int cell[4])
+{
+    n3_vec x[4];
+    n3_real gain, one, other;
+    int c;
+    if (b->fixed) return 1;
+    for (c = 0; c < 4; c++) x[c] = point[cell[c]];
+    gain = joini_gain(b, r, i, k, x);
+    if (n3i_abs(gain) > (n3_real)1 / 64) return gain > 0;
+    one = n3_len(n3_sub(x[0], x[3]));
+    other = n3_len(n3_sub(x[1], x[2]));
+    return !(other < one - one / 1024);
 }
 
 /* The triangles between row r and the next, whose own points begin with first and next. No point
@@ -848,7 +911,7 @@ NAGATA3_API int *joini_strip(const join_bridge *b, int r, int first, int next, c
         cell[1] = joini_number(b, r, first, i < n ? i + 1 : i);
         cell[2] = joini_number(b, r + 1, next, k);
         cell[3] = joini_number(b, r + 1, next, k < m ? k + 1 : k);
-        forward = q < s || (!(s < q) && joini_cut(b, point, cell));
+        forward = q < s || (!(s < q) && joini_cut(b, r, i, k, point, cell));
         if (k == m - 1 && i < n && k_at_i == 0) forward = 0;
         if (i == n - 1 && k < m && i_at_k == 0) forward = 1;
         triangle[0] = cell[0];
@@ -897,6 +960,32 @@ NAGATA3_API join_status join_mesh(const join_bridge *b, const n3_vec *moved, n3_
         triangle = joini_strip(b, r, first, next, point, triangle);
     }
     return JOIN_OK;
+}
+
+/* 0, 1: a triangle of A, of B; 2: of the bridge. */
+NAGATA3_API int joini_origin(const join_bridge *b, int triangle)
+{
+    int a = b->a.border->mesh->triangles;
+    return triangle < a ? 0 : triangle < a + b->b.border->mesh->triangles ? 1 : 2;
+}
+
+NAGATA3_API int join_seam(const join_bridge *b, const n3_mesh *joined, const n3_topology *t,
+                          int end, n3_real jump[2])
+{
+    int e, k, two[2], count = 0;
+    jump[0] = jump[1] = 0;
+    for (e = 0; e < t->edges; e++) {
+        n3_real d;
+        if (!n3i_is_regular(joined, t, e, two)) continue;
+        k = joini_origin(b, two[0] / 3) == 2;
+        if (joini_origin(b, two[k] / 3) != end || joini_origin(b, two[!k] / 3) != 2) continue;
+        d = n3_len(n3_sub(n3i_face_of(joined, two[0] / 3).normal,
+                          n3i_face_of(joined, two[1] / 3).normal));
+        if (count == 0 || d < jump[0]) jump[0] = d;
+        jump[1] = n3i_larger(jump[1], d);
+        count++;
+    }
+    return count;
 }
 
 #endif

@@ -36,7 +36,10 @@ static void test_borders(void)
 /* A plate of cells with the corners (i, j) of a grid of side 6, looking up; out[] cells are left
    out. */
 enum { SIDE = 6 };
-typedef struct plate { n3_vec point[(SIDE + 1) * (SIDE + 1)]; int triangle[6 * SIDE * SIDE]; } plate;
+typedef struct plate {
+    n3_vec point[(SIDE + 1) * (SIDE + 1)];
+    int triangle[6 * SIDE * SIDE];
+} plate;
 
 static n3_mesh plate_make(plate *p, const char *const hole[SIDE], n3_real z)
 {
@@ -44,8 +47,7 @@ static n3_mesh plate_make(plate *p, const char *const hole[SIDE], n3_real z)
     int i, j, k = 0;
     memset(&m, 0, sizeof m);
     for (j = 0; j <= SIDE; j++)
-        for (i = 0; i <= SIDE; i++)
-            p->point[j * (SIDE + 1) + i] = n3_v((n3_real)i, (n3_real)j, z);
+        for (i = 0; i <= SIDE; i++) p->point[j * (SIDE + 1) + i] = n3_v((n3_real)i, (n3_real)j, z);
     for (j = 0; j < SIDE; j++)
         for (i = 0; i < SIDE; i++) {
             const int a = j * (SIDE + 1) + i;
@@ -65,7 +67,8 @@ static n3_mesh plate_make(plate *p, const char *const hole[SIDE], n3_real z)
    between the holes run. */
 static void test_several_loops(void)
 {
-    static const char *const hole[SIDE] = {"......", ".o....", "..o.o.", "......", ".ooo..", "......"};
+    static const char *const hole[SIDE] = {"......", ".o....", "..o.o.",
+                                           "......", ".ooo..", "......"};
     static const int count[4] = {24, 8, 4, 8};
     plate p;
     n3_mesh m = plate_make(&p, hole, 0);
@@ -146,7 +149,10 @@ static int join_anyhow(body *a, body *b, long row)
 }
 
 /* A fan of n triangles round the last point. */
-typedef struct fan { n3_vec point[MOST_AROUND + 1]; int triangle[3 * MOST_AROUND]; } fan;
+typedef struct fan {
+    n3_vec point[MOST_AROUND + 1];
+    int triangle[3 * MOST_AROUND];
+} fan;
 
 static n3_mesh fan_mesh(fan *f, int n)
 {
@@ -177,7 +183,10 @@ static n3_mesh fan_make(fan *f, int n, n3_vec centre, double angle)
     return fan_mesh(f, n);
 }
 
-typedef struct fans { fan fan[2]; body a, b; } fans;
+typedef struct fans {
+    fan fan[2];
+    body a, b;
+} fans;
 
 static fans *fans_open(int na, int nb, n3_vec centre, double angle)
 {
@@ -202,7 +211,7 @@ static void fans_free(fans *f)
    plane. */
 static void test_discs(void)
 {
-    static const double centre[][3] = {{0, 0, 1},   {0.3, 0, 0.01}, {5, 0, 0}, {0.5, 0.25, 0},
+    static const double centre[][3] = {{0, 0, 1},   {0.3, 0, 0.01}, {5, 0, 0},  {0.5, 0.25, 0},
                                        {1, 0, 0.5}, {0, 0, 1e-9},   {0, 0, 1e9}};
     static const int count[][2] = {{3, 3}, {3, 4}, {4, 3}, {3, 64}, {12, 12}, {12, 5}};
     int row;
@@ -279,12 +288,11 @@ static void test_normals(void)
     fans_free(f);
 }
 
-const test_case tests_awkward[] = {
-    {"awkward: borders", test_borders},
-    {"awkward: several loops", test_several_loops},
-    {"awkward: the nearest loops", test_nearest},
-    {"awkward: discs", test_discs},
-    {"awkward: coincident loops", test_coincident},
-    {"awkward: any loops", test_any_loops},
-    {"awkward: normals of the mesh", test_normals},
-    {NULL, NULL}};
+const test_case tests_awkward[] = {{"awkward: borders", test_borders},
+                                   {"awkward: several loops", test_several_loops},
+                                   {"awkward: the nearest loops", test_nearest},
+                                   {"awkward: discs", test_discs},
+                                   {"awkward: coincident loops", test_coincident},
+                                   {"awkward: any loops", test_any_loops},
+                                   {"awkward: normals of the mesh", test_normals},
+                                   {NULL, NULL}};

@@ -7,6 +7,8 @@
    straight bridges. */
 static void test_seams(void)
 {
+    const double half_degree = 3.14159265358979323846 / 360;
+    n3_real jump[2];
     int i, k;
     for (i = 0; i < INPUTS; i++) {
         pair *p = pair_open(i, AROUND, AROUND);
@@ -15,6 +17,9 @@ static void test_seams(void)
             double range[2], plain[2], most = inputs[i].outlier > 0 ? 31 : 15;
             CHECK(seam(&nagata, k, range) == AROUND, i);
             CHECK(seam(&straight, k, plain) == AROUND, i);
+            CHECK(join_seam(&nagata.bridge, &nagata.mesh, &nagata.topology, k, jump) == AROUND, i);
+            CHECK_NEAR(jump[0], 2 * sin(range[0] * half_degree), 64 * EPS, i);
+            CHECK_NEAR(jump[1], 2 * sin(range[1] * half_degree), 64 * EPS, i);
             CHECK_NEAR(range[1], 0, most, 2 * i + k);
             CHECK(range[1] < plain[1] / 2, 2 * i + k);
         }
@@ -125,7 +130,10 @@ static int pierces(n3_vec p, n3_vec q, const n3_vec x[3])
     return (w[0] > 0 && w[1] > 0 && w[2] > 0) || (w[0] < 0 && w[1] < 0 && w[2] < 0);
 }
 
-static int shares(const int *f, int point) { return f[0] == point || f[1] == point || f[2] == point; }
+static int shares(const int *f, int point)
+{
+    return f[0] == point || f[1] == point || f[2] == point;
+}
 
 /* A side of one triangle pierces the other; sides that share a corner with it only touch it. */
 static int cut_through(const joined *j, int f, int g)
@@ -149,7 +157,7 @@ static int cuts(const joined *j)
     int f, g, count = 0;
     for (f = 0; f < j->mesh.triangles; f++)
         for (g = f + 1; g < j->mesh.triangles; g++)
-            if (owner(j, g) == 2) count += cut_through(j, f, g);
+            if (joini_origin(&j->bridge, g) == 2) count += cut_through(j, f, g);
     return count;
 }
 
@@ -159,7 +167,8 @@ static int folds(const joined *j)
     int e, two[2], count = 0;
     for (e = 0; e < j->topology.edges; e++) {
         if (!n3i_is_regular(&j->mesh, &j->topology, e, two)) continue;
-        if (owner(j, two[0] / 3) + owner(j, two[1] / 3) < 2) continue;
+        if (joini_origin(&j->bridge, two[0] / 3) + joini_origin(&j->bridge, two[1] / 3) < 2)
+            continue;
         count += n3_dot(facet_normal(j, two[0] / 3), facet_normal(j, two[1] / 3)) < 0;
     }
     return count;
@@ -207,7 +216,8 @@ static void test_start_is_found(void)
         pair *p = pair_open(row % INPUTS, n[0], n[1]);
         const join_vertex *a = &p->a.rim.vertex[p->a.rim.start];
         const join_vertex *b = &p->b.rim.vertex[p->b.rim.start];
-        double off = angle_of(a->x) - angle_of(b->x), step = 6.2831853 / (n[0] > n[1] ? n[0] : n[1]);
+        double off = angle_of(a->x) - angle_of(b->x),
+               step = 6.2831853 / (n[0] > n[1] ? n[0] : n[1]);
         CHECK(p->a.rim.step == 1 && p->b.rim.step == -1, row);
         CHECK_NEAR(sin(off / 2), 0, n[0] == n[1] ? 4 * EPS : step, row);
         pair_free(p);
@@ -399,8 +409,8 @@ static void test_from_either_side(void)
             const int first = j.mesh.points - 4 * AROUND;
             double least = 1;
             for (k = 0; k < 4 * AROUND; k++)
-                least = fmin(least, (double)n3_len(n3_sub(j.point[first + i],
-                                                          back.point[first + k])));
+                least =
+                    fmin(least, (double)n3_len(n3_sub(j.point[first + i], back.point[first + k])));
             CHECK_NEAR(least, 0, 32 * EPS, row);
         }
         joined_free(&j);

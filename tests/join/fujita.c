@@ -2,7 +2,10 @@
 #include "joined.h"
 
 /* A tube of two rings. */
-typedef struct stub { n3_vec point[2 * MOST_AROUND]; int triangle[6 * MOST_AROUND]; } stub;
+typedef struct stub {
+    n3_vec point[2 * MOST_AROUND];
+    int triangle[6 * MOST_AROUND];
+} stub;
 
 enum { N = 12 };
 
@@ -34,7 +37,10 @@ static n3_vec round_z(double radius, double z, int i, int n)
     return n3_v((n3_real)(radius * cos(a)), (n3_real)(radius * sin(a)), (n3_real)z);
 }
 
-typedef struct stubs { stub stub[2]; body a, b; } stubs;
+typedef struct stubs {
+    stub stub[2];
+    body a, b;
+} stubs;
 
 /* Two of them, A and B, whose points of the same number are joined; B is turned, so that the way
    through both leads in at A and out at B. */
@@ -115,7 +121,7 @@ static void test_F241_work_plane(void)
             n3_vec s = n3_unit(n3_cross(axis, n3_sub(x, o1)));
             const n3_vec *q = j.column[i].curve.p;
             for (k = 0; k < 4; k++) CHECK_NEAR(n3_dot(s, n3_sub(q[k], o1)), 0, 32 * EPS, i);
-            CHECK_VEC(n3_cross(s, n3_sub(q[3], y)), n3_v(0, 0, 0), 32 * EPS, i);    /* (F2.4.2) */
+            CHECK_VEC(n3_cross(s, n3_sub(q[3], y)), n3_v(0, 0, 0), 32 * EPS, i); /* (F2.4.2) */
             CHECK_SAME(q[0], x, i);
         }
         joined_free(&j);
@@ -134,8 +140,8 @@ static void test_F243_control_points(void)
     const n3_vec *q = j.column[column].curve.p;
     int k, r;
     CHECK_VEC(q[1], n3_v((n3_real)(0.7 * s + 1 - s), 0, (n3_real)(1.2 * s)), 8 * EPS, 0);
-    CHECK_VEC(q[2], n3_v((n3_real)(0.7 * s + 1 - s), 0, (n3_real)(1.2 * s + 2 * (1 - s))),
-              8 * EPS, 1);
+    CHECK_VEC(q[2], n3_v((n3_real)(0.7 * s + 1 - s), 0, (n3_real)(1.2 * s + 2 * (1 - s))), 8 * EPS,
+              1);
     for (r = 1; r <= 3; r++) { /* P_ij of section 2.4.4 */
         const double u = r / 4.0;
         const double w[4] = {(1 - u) * (1 - u) * (1 - u), 3 * (1 - u) * (1 - u) * u,

@@ -150,13 +150,6 @@ static inline n3_vec facet_normal(const joined *j, int triangle)
                             n3_unit(n3_sub(corner_of(j, triangle, 2), x))));
 }
 
-/* 0: of A, 1: of B, 2: of the bridge. */
-static inline int owner(const joined *j, int triangle)
-{
-    int a = j->bridge.a.border->mesh->triangles;
-    return triangle < a ? 0 : triangle < a + j->bridge.b.border->mesh->triangles ? 1 : 2;
-}
-
 /* Degrees between the triangles across a seam, 0 that with A, from least to most. Returns how many
    edges the seam has. */
 static inline int seam(const joined *j, int which, double range[2])
@@ -167,8 +160,10 @@ static inline int seam(const joined *j, int which, double range[2])
         n3_vec n[2];
         double angle;
         if (!n3i_is_regular(&j->mesh, &j->topology, e, two)) continue;
-        if (owner(j, two[0] / 3) + owner(j, two[1] / 3) != 2 + which) continue;
-        if (owner(j, two[0] / 3) == owner(j, two[1] / 3)) continue;
+        if (joini_origin(&j->bridge, two[0] / 3) + joini_origin(&j->bridge, two[1] / 3) !=
+            2 + which)
+            continue;
+        if (joini_origin(&j->bridge, two[0] / 3) == joini_origin(&j->bridge, two[1] / 3)) continue;
         for (k = 0; k < 2; k++) n[k] = facet_normal(j, two[k] / 3);
         angle = atan2((double)n3_len(n3_cross(n[0], n[1])), (double)n3_dot(n[0], n[1])) * 180 /
                 3.14159265358979323846;
