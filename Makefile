@@ -4,6 +4,7 @@ CXX    ?= c++
 CFLAGS ?= -O2
 PREFIX ?= /usr/local
 BUILD   = build
+MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 
 COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic -I. $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@
 EXAMPLES = smooth demo_mesh figure7 $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
