@@ -1,13 +1,13 @@
 /* smooth: a triangle mesh into a smooth surface, or into a finer mesh on it. */
+#include "smooth_command.h"
 #include "smooth_grid.h"
 
 #include <errno.h>
-#include <stdarg.h>
 #include <stdlib.h>
 
 const char program[] = "smooth";
 
-static const char usage[] =
+const char usage[] =
     "usage: smooth IN -o OUT [-n LEVEL | --tol T[%] | --order 2|3 | --bezier] [--text | --binary]\n"
     "              [--rule paper|arc|fit|nagata|pn|flat] [--boundary] [--crease DEG] [--weld REL]\n"
     "              [--report] [--json] [--quiet]\n";
@@ -56,52 +56,6 @@ typedef struct options {
     n3_real weld;   /* negative: by the format */
 } options;
 
-static void misuse(const char *format, ...)
-{
-    va_list arguments;
-    fprintf(stderr, "%s: ", program);
-    va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
-    va_end(arguments);
-    fprintf(stderr, "\n%s", usage);
-    exit(2);
-}
-
-/* The argument of an option as a number from lo to hi. */
-static n3_real number(const char *option, const char *value, double lo, double hi)
-{
-    char *end;
-    double x = strtod(value, &end);
-    if (end == value || *end || !(x >= lo && x <= hi))
-        misuse("%s takes a number from %g to %g, not '%s'", option, lo, hi, value);
-    return (n3_real)x;
-}
-
-static int whole_number(const char *option, const char *value, int lo, int hi)
-{
-    n3_real x = number(option, value, lo, hi);
-    if (x > floor(x)) misuse("%s takes a whole number, not '%s'", option, value);
-    return (int)x;
-}
-
-static void print_and_exit(const char *text)
-{
-    fputs(text, stdout);
-    exit(fflush(stdout) || ferror(stdout) ? EXIT_FAILURE : EXIT_SUCCESS);
-}
-
-/* A length, or so many percent. */
-static void read_tolerance(request *r, const char *option, const char *value)
-{
-    const double most = 1e100;
-    char *end;
-    double x = strtod(value, &end);
-    r->relative = *end == '%';
-    if (end == value || end[r->relative] || !(x > 0 && x <= most))
-        misuse("%s takes a length or a percentage above 0, not '%s'", option, value);
-    r->tolerance = (n3_real)(r->relative ? x / 100 : x);
-}
-
 /* Options without a value. False if it is none of them. */
 static int read_switch(options *o, const char *a)
 {
@@ -133,12 +87,12 @@ static int read_value(options *o, const char *a, const char *value)
     if (i == n) return 0;
     if (!value) misuse("%s takes a value", a);
     if (i == 0) o->out.path = value;
-    if (i == 1) o->out.level = whole_number(a, value, 1, 1000);
+    if (i == 1) o->out.level = option_whole(a, value, 1, 1000);
     if (i == 2 && !(o->rule = smooth_rule_find(value))) misuse("there is no rule '%s'", value);
-    if (i == 3) o->crease = number(a, value, 0, 180);
-    if (i == 4) o->weld = number(a, value, 0, 1);
-    if (i == 5) read_tolerance(&o->out, a, value);
-    if (i == 6) o->out.kind = whole_number(a, value, 2, 3) == 2 ? QUADRATIC : CUBIC;
+    if (i == 3) o->crease = option_number(a, value, 0, 180);
+    if (i == 4) o->weld = option_number(a, value, 0, 1);
+    if (i == 5) option_tolerance(&o->out, a, value);
+    if (i == 6) o->out.kind = option_whole(a, value, 2, 3) == 2 ? QUADRATIC : CUBIC;
     return 1;
 }
 
