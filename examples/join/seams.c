@@ -26,9 +26,9 @@ static void give_up(const char *reason)
     exit(EXIT_FAILURE);
 }
 
-static void check(int status)
+static void check(join_status status)
 {
-    if (status) give_up(join_status_text((join_status)status));
+    if (status != JOIN_OK) give_up(join_status_text(status));
 }
 
 static void side_make(int number, int upper, side *s)
