@@ -1,7 +1,6 @@
 /* From the surface to elements, with the fields of the mesh carried along. */
 #include "smooth_grid.h"
 
-
 #include <limits.h>
 #include <stdlib.h>
 
@@ -32,9 +31,8 @@ static void grid_room(grid *g, unsigned with)
         g->normal = allocate((size_t)g->normals, sizeof *g->normal);
         g->corner = allocate(n, 3 * sizeof *g->corner);
     }
-    if (!(with & WITH_FIELDS)) return;
-    g->origin = allocate(n, sizeof *g->origin);
-    if (!g->mesh->point_fields) return;
+    if (with & WITH_FIELDS) g->origin = allocate(n, sizeof *g->origin);
+    if (!(with & WITH_FIELDS && g->mesh->point_fields) && !g->surface->squares) return;
     g->parent = allocate(nodes, sizeof *g->parent);
     g->uv = allocate(nodes, 2 * sizeof *g->uv);
 }
@@ -133,6 +131,7 @@ void grid_refine(const mesh *m, const surface *s, int level, unsigned with, grid
     n3_mesh_refine(&s->mesh, &s->topology, s->net, level, g->node, g->element, g->normal, g->corner,
                    g->parent, g->uv);
     for (i = 0; i < g->elements && g->origin; i++) g->origin[i] = i / (level * level);
+    if (s->squares) grid_lay_squares(g, level);
     finish_facets(g, with);
 }
 
@@ -183,12 +182,10 @@ static void curve_normals(grid *g)
     int t, i, node[10];
     g->node_normal = allocate((size_t)g->nodes, sizeof *g->node_normal);
     for (t = 0; t < g->elements; t++) {
-        n3_patch p;
-        n3_mesh_patches(&s->mesh, &s->topology, s->net, t, t + 1, &p);
         element_nodes(g, t, node);
         for (i = 0; i < g->corners; i++) {
             n3_vec at = node_uv(g, i), *sum = &g->node_normal[node[i]];
-            *sum = n3_add(*sum, n3_patch_normal(&p, at.x, at.y));
+            *sum = n3_add(*sum, surface_normal(s, t, at.x, at.y));
         }
     }
     for (i = 0; i < g->nodes; i++) g->node_normal[i] = n3_unit(g->node_normal[i]);
@@ -209,6 +206,7 @@ void grid_curve(const mesh *m, const surface *s, int kind, unsigned with, grid *
     for (i = 0; i <= s->topology.edges; i++) g->first[i] = m->points + (level - 1) * i;
     n3_mesh_refine(&s->mesh, &s->topology, s->net, level, g->node, NULL, NULL, NULL, g->parent,
                    g->uv);
+    if (s->squares) grid_lay_squares(g, level);
     if (kind == BEZIER) memcpy(g->node, s->net, (size_t)g->nodes * sizeof *g->node);
     for (i = 0; i < g->elements; i++) {
         int n = element_nodes(g, i, node);

@@ -144,6 +144,7 @@ static void read_options(int argc, char **argv, options *o)
 {
     int i;
     memset(o, 0, sizeof *o);
+    o->out = o->within = request_plain();
     o->rows = -1;
     o->weld = -1;
     o->within.tolerance = (n3_real)0.001;
@@ -392,7 +393,6 @@ static void side_free(side *s)
 /* One part for each edge leaves the triangles as they are; STEP has no triangles. */
 static void check_output(options *o)
 {
-    o->out.text = -1;
     o->out.level = 1;
     if (product_refuse(&o->out)) o->out.level = 0;
     if (product_refuse(&o->out)) misuse("'%s' %s", o->out.path, product_refuse(&o->out));

@@ -781,7 +781,7 @@ NAGATA3_API int joini_row_count(const join_bridge *b, int r)
     if (r == 0 || n == k) return n;
     if (r > b->rows) return k;
     if (b->rows == 1) return n > k ? n : k;
-    return (int)floor(n + ((double)k - n) * (r - 1) / (b->rows - 1) + 1.0 / 2);
+    return (int)(n + ((double)k - n) * (r - 1) / (b->rows - 1) + 1.0 / 2);
 }
 
 /* The parameter of a rim x vertices along it, 0 <= x <= count. */
