@@ -4,22 +4,25 @@ CXX    ?= c++
 CFLAGS ?= -O2
 PREFIX ?= /usr/local
 BUILD   = build
+MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 
 COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic -I. $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@
 EXAMPLES = smooth demo_mesh figure7 $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
 FIGURES  = facts scale accuracy bench_double bench_float
 PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) $(FIGURES))
 TESTS    = $(addprefix $(BUILD)/,test_double test_float)
-TOOLS    = $(addprefix $(BUILD)/,write_seeds dump)
+TOOLS    = $(addprefix $(BUILD)/,write_seeds dump pictures)
 TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c)) $(wildcard bench/accuracy_m*.c \
            bench/accuracy_surface.c)
 MESH     = $(wildcard examples/mesh*.c)
-SMOOTH   = $(wildcard examples/smooth*.c) $(MESH)
+PICTURE  = $(addprefix examples/,png.c deflate.c colour.c) $(wildcard examples/picture*.c)
+PICTURES = $(wildcard tests/pictures/*.c) $(PICTURE) $(MESH)
+SMOOTH   = $(wildcard examples/smooth*.c) $(PICTURE) $(MESH)
 SEEDS    = $(addprefix tests/fuzz/,mutate.c seeds.c)
 FUZZ     = tests/fuzz/sandbox.c $(filter-out examples/mesh_file.c,$(MESH))
 SANITIZE = -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
 ACCURACY = $(wildcard bench/accuracy*.c)
-HEADERS  = $(wildcard nagata3.h tests/*.h tests/fuzz/*.h examples/*.h bench/*.h)
+HEADERS  = $(wildcard nagata3.h tests/*.h tests/*/*.h examples/*.h bench/*.h)
 VERSION  = $(shell sed -n 's/^.define NAGATA3_VERSION "\(.*\)"/\1/p' nagata3.h)
 LIB      = $(DESTDIR)$(PREFIX)/lib
 
@@ -36,6 +39,10 @@ test: $(TESTS) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests; N3_SAMPLES=n sc
 
 files: $(TOOLS) $(BUILD)/smooth  ## every variant of every format that smooth reads
 	@sh tests/run.sh "sh tests/files_test.sh $(BUILD)/smooth $(BUILD)/write_seeds $(BUILD)/dump"
+
+pictures: $(BUILD)/pictures $(BUILD)/smooth $(BUILD)/demo_mesh  ## what smooth draws
+	@sh tests/run.sh $(BUILD)/pictures \
+	    "sh tests/pictures_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
 
 fuzz: $(BUILD)/fuzz  ## read broken files of every format under the sanitizers; FILES=n of them
 	@$(BUILD)/fuzz $(FILES)
@@ -98,6 +105,8 @@ $(BUILD)/test_double $(BUILD)/test_float: $(TEST_SRC)
 	$(COMPILE) -Itests $(TEST_SRC) -lm
 $(BUILD)/smooth: $(SMOOTH)
 	$(COMPILE) $(SMOOTH) -lm
+$(BUILD)/pictures: $(PICTURES)
+	$(COMPILE) -Iexamples $(PICTURES) -lm
 $(BUILD)/accuracy: $(ACCURACY)
 	$(COMPILE) $(ACCURACY) -lm
 $(BUILD)/dump: tests/fuzz/dump.c $(MESH)
@@ -125,5 +134,5 @@ $(PROGRAMS) $(TOOLS) $(TESTS) $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test files fuzz ledger dialects mutants bench accuracy sweep facts golden figures \
+.PHONY: all demo test files pictures fuzz ledger dialects mutants bench accuracy sweep facts golden figures \
         install help clean
