@@ -77,7 +77,7 @@ static void take_mean(const grid *g, const field *from, double *to)
     size_t i, n = (size_t)rows * (size_t)from->components;
     n3_mesh_field(&s->mesh, &s->topology, 1, from->components, from->value, g->parent + points,
                   g->uv + 2 * points, rows, to);
-    for (i = 0; i < n && from->kind == COLOURS; i++) to[i] = floor(to[i] + 0.5);
+    for (i = 0; i < n && from->kind == COLOUR_BYTES; i++) to[i] = floor(to[i] + 0.5);
 }
 
 static void carry_field(const grid *g, const field *from, field *to)
@@ -311,7 +311,7 @@ static int type_of(const field *f, int rows)
 {
     const double exact = 9007199254740992; /* 2^53 */
     size_t i, n = (size_t)rows * (size_t)f->components;
-    int type = f->kind == COLOURS ? UINT8 : INT32;
+    int type = f->kind == COLOUR_BYTES ? UINT8 : INT32;
     if (f->kind == VALUES) return FLOAT64;
     for (i = 0; i < n; i++) {
         double x = f->value[i];
