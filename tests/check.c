@@ -110,7 +110,8 @@ int main(int argc, char **argv)
 {
     static const test_case *const tables[] = {tests_equations, tests_closed_forms, tests_golden,
                                               tests_degenerate, tests_properties,
-                                              tests_mesh, tests_net, tests_accuracy};
+                                              tests_mesh, tests_net, tests_accuracy,
+                                              tests_query, tests_query_hit};
     long passed = 0, failed = 0;
     size_t i;
     for (i = 0; i < sizeof tables / sizeof *tables; i++) {

@@ -13,7 +13,7 @@
 typedef struct test_case { const char *name; void (*run)(void); } test_case;
 
 extern const test_case tests_equations[], tests_closed_forms[], tests_golden[], tests_degenerate[],
-    tests_properties[], tests_mesh[], tests_net[], tests_accuracy[];
+    tests_properties[], tests_mesh[], tests_net[], tests_accuracy[], tests_query[], tests_query_hit[];
 
 /* The relative spacing of n3_real at 1: 2^-52 or 2^-23. */
 #define EPS ((double)N3_EPS)
