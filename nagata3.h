@@ -2951,7 +2951,7 @@ NAGATA3_API n3_curvature n3_patch_curvature(const n3_patch *p, n3_real u, n3_rea
     n3_jet j = n3_patch_jet(p, u, v);
     n3_curvature r;
     n3_real size = n3i_larger(n3_len(j.du), n3_len(j.dv)), a, b, c, s11, s12;
-    n3_vec t1 = n3_unit(j.du), du = n3i_over(j.du, size), dv = n3i_over(j.dv, size);
+    n3_vec t1 = n3_unit(j.du), du, dv;
     memset(&r, 0, sizeof r);
     r.normal = n3_patch_normal(p, u, v);
     r.E = n3_dot(j.du, j.du);
@@ -2960,6 +2960,9 @@ NAGATA3_API n3_curvature n3_patch_curvature(const n3_patch *p, n3_real u, n3_rea
     r.L = n3_dot(r.normal, j.duu);
     r.M = n3_dot(r.normal, j.duv);
     r.N = n3_dot(r.normal, j.dvv);
+    if (!(size > 0)) return r;
+    du = n3i_over(j.du, size);
+    dv = n3i_over(j.dv, size);
     if (!(n3_len(n3_cross(du, dv)) > N3_NOISE)) return r;
     a = n3_len(du);
     b = n3_dot(dv, t1);
@@ -3026,7 +3029,7 @@ NAGATA3_API n3_real n3i_minimum1(const n3_real c[7])
         value = n3i_bernstein(g, 5, t, &slope);
         if (value > 0) hi = t;
         else lo = t;
-        t -= value / (5 * slope);
+        t -= slope > 0 ? value / (5 * slope) : 1;
         if (!(t > lo && t < hi)) t = n3i_middle(lo, hi);
         if (!(n3i_abs(t - last) > N3_EPS)) break;
     }
@@ -3587,6 +3590,7 @@ NAGATA3_API int n3i_zero(const n3i_cell *c, n3_real size, n3_real w[3])
         }
         if (!(last > N3_LAST_STEP)) break;
         det = f[1] * g[2] - f[2] * g[1];
+        if (!(n3i_abs(det) > 0)) return 0;
         step[1] = (f[2] * g[0] - f[0] * g[2]) / det;
         step[2] = (f[0] * g[1] - f[1] * g[0]) / det;
         step[0] = -step[1] - step[2];
@@ -3720,6 +3724,7 @@ NAGATA3_API int n3_patch_folds(const n3_patch *p, n3_vec direction, int budget)
     n3_real size, det[5][5];
     if (k < 0) return N3_YES;
     size = n3i_look_along(p, p->p[0], direction, k, &stack.cell[0]);
+    if (!(size > 0)) return N3_YES;
     back = (k == 0 ? direction.x : k == 1 ? direction.y : direction.z) < 0;
     stack.count = 1;
     while (stack.count > 0) {
