@@ -103,8 +103,8 @@ clean:  ## remove what was built
 
 $(BUILD)/test_double $(BUILD)/test_float: $(TEST_SRC)
 	$(COMPILE) -Itests $(TEST_SRC) -lm
-$(BUILD)/smooth: $(SMOOTH)
-	$(COMPILE) $(SMOOTH) -lm
+$(BUILD)/smooth: $(SMOOTH) $(BUILD)/page.inc
+	$(COMPILE) -I$(BUILD) $(SMOOTH) -lm
 $(BUILD)/pictures: $(PICTURES)
 	$(COMPILE) -Iexamples $(PICTURES) -lm
 $(BUILD)/accuracy: $(ACCURACY)
@@ -123,6 +123,8 @@ $(BUILD)/%: examples/%.c
 	$(COMPILE) $< -lm
 $(BUILD)/%: bench/%.c
 	$(COMPILE) $< -lm
+$(BUILD)/page.inc: examples/page.html | $(BUILD) # its bytes, as numbers of an array in C
+	od -An -v -tu1 $< | sed 's/[0-9][0-9]*/&,/g' > $@.part && mv $@.part $@
 $(BUILD)/%.csv: $(BUILD)/%_gen
 	$< > $@.part && mv $@.part $@
 $(BUILD)/%.svg: $(BUILD)/%

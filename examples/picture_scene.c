@@ -79,19 +79,37 @@ static double round_up(double x)
     return ceil(x / unit) * unit;
 }
 
+/* The patch in the size of 1, at the origin; returns its size. */
+static double to_unit(n3_patch *p)
+{
+    const n3_vec origin = p->p[0];
+    n3_real size = 0;
+    int i;
+    for (i = 0; i < 10; i++) {
+        n3_real length = n3_len(p->p[i] = n3_sub(p->p[i], origin));
+        if (length > size) size = length;
+    }
+    for (i = 0; i < 10 && size > 0; i++)
+        p->p[i] = n3_v(p->p[i].x / size, p->p[i].y / size, p->p[i].z / size);
+    return (double)size;
+}
+
 double scene_range(const scene *s, view v)
 {
     double *value, range = 0;
     int i, k, n = 0;
     if (v != VIEW_MEAN && v != VIEW_GAUSS && v != VIEW_ERROR) return 0;
     value = allocate((size_t)s->patches, 6 * sizeof *value);
-    for (i = 0; i < s->patches; i++)
+    for (i = 0; i < s->patches; i++) {
+        n3_patch p = s->patch[i];
+        double unit = to_unit(&p);
         for (k = 0; k < 6; k++, n++) { /* inside, on two rings */
             double far_off = k < 3 ? 0.8 : 0.45, rest = (1 - far_off) / 2;
             double u = k % 3 == 1 ? far_off : rest, w = k % 3 == 2 ? far_off : rest;
-            value[n] = fabs(look_value(v, &s->patch[i], u, w));
+            value[n] = fabs(look_value(v, &p, u, w)) * look_unit(v, unit);
             if (!(value[n] < HUGE_VAL)) value[n] = 0;
         }
+    }
     qsort(value, (size_t)n, sizeof *value, compare);
     if (n) range = v == VIEW_ERROR ? value[n - 1] : value[(int)((n - 1) * 0.95)];
     free(value);

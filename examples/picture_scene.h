@@ -25,8 +25,9 @@ typedef enum view {
     VIEW_ERROR
 } view;
 
-/* The view of a name as above, -1 for none. */
+/* The view of a name as above, -1 for none; and back. */
 int view_find(const char *name);
+const char *view_name(view v);
 
 /* A line in space, width in pixels. What lies on a surface is seen in full. */
 typedef struct stroke {

@@ -28,6 +28,7 @@ typedef struct surface {
     n3_vec *net;     /* nodes control points, shared between patches */
     unsigned *flags; /* of each edge */
     int inferred;    /* corners whose normal is not from the file */
+    n3_real cos_crease;
 } surface;
 
 /* Facets, elements with nodes on the surface, or with control points. */
@@ -70,11 +71,11 @@ n3_real surface_size(const surface *s);
 const char *product_refuse(const request *r);
 product product_write(const request *r, const mesh *m, const surface *s);
 
-/* One line for stderr; the whole story for stdout, as text or as JSON. */
+/* One line for stderr; the whole story, as text or as JSON. */
 void report_line(const char *in, const surface *s, const n3_report *r, const product *out);
-void report_text(const char *in, const mesh *m, const surface *s, const n3_report *r,
+void report_text(FILE *f, const char *in, const mesh *m, const surface *s, const n3_report *r,
                  const product *out);
-void report_json(const char *in, const mesh *m, const surface *s, const n3_report *r,
+void report_json(FILE *f, const char *in, const mesh *m, const surface *s, const n3_report *r,
                  const product *out);
 
 #endif
