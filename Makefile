@@ -7,7 +7,7 @@ BUILD   = build
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 
 COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic -I. $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@
-EXAMPLES = smooth demo_mesh figure7 $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
+EXAMPLES = smooth demo_mesh figure7 gallery $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
 FIGURES  = facts scale accuracy bench_double bench_float
 PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) $(FIGURES))
 TESTS    = $(addprefix $(BUILD)/,test_double test_float)
@@ -18,6 +18,8 @@ MESH     = $(wildcard examples/mesh*.c)
 PICTURE  = $(addprefix examples/,png.c deflate.c colour.c) $(wildcard examples/picture*.c)
 PICTURES = $(wildcard tests/pictures/*.c) $(PICTURE) $(MESH)
 SMOOTH   = $(wildcard examples/smooth*.c) $(PICTURE) $(MESH)
+GALLERY  = $(wildcard examples/gallery*.c) $(addprefix examples/smooth_,surface.c picture.c) \
+           $(PICTURE) $(MESH)
 SEEDS    = $(addprefix tests/fuzz/,mutate.c seeds.c)
 FUZZ     = tests/fuzz/sandbox.c $(filter-out examples/mesh_file.c,$(MESH))
 SANITIZE = -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
@@ -28,11 +30,14 @@ LIB      = $(DESTDIR)$(PREFIX)/lib
 
 all: $(PROGRAMS)  ## the programs; this is what make alone does
 
-demo: $(BUILD)/smooth $(BUILD)/demo_mesh  ## smooth a small mesh into build/demo.vtu, build/demo.obj
+demo: $(BUILD)/smooth $(BUILD)/demo_mesh  ## smooth a small mesh into build/demo.vtu, .obj, .png, .html
 	@$(BUILD)/demo_mesh > $(BUILD)/demo_in.obj
 	@$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.obj --quiet
+	@$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.png --quiet --view zebra
+	@$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.html --quiet
 	@$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.vtu --quiet --report
 	@echo 'Open $(BUILD)/demo.vtu in ParaView or $(BUILD)/demo.obj in any viewer of meshes.'
+	@echo 'Look at $(BUILD)/demo.png, or turn it in a browser: $(BUILD)/demo.html.'
 
 test: $(TESTS) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests; N3_SAMPLES=n scales them
 	@sh tests/run.sh $(TESTS) "sh tests/smooth_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
@@ -72,6 +77,9 @@ facts: $(BUILD)/facts  ## the README's figures
 golden: $(BUILD)/golden.csv  ## compute tests/golden.csv anew, in __float128
 	cp $(BUILD)/golden.csv tests/golden.csv
 
+gallery: $(BUILD)/gallery  ## draw the paper's figures and three more anew, into examples/gallery
+	mkdir -p examples/gallery && $(BUILD)/gallery examples/gallery
+
 figures: $(BUILD)/figure7.svg  ## draw the README's picture anew
 	cp $(BUILD)/figure7.svg examples/figure7.svg
 
@@ -105,6 +113,8 @@ $(BUILD)/test_double $(BUILD)/test_float: $(TEST_SRC)
 	$(COMPILE) -Itests $(TEST_SRC) -lm
 $(BUILD)/smooth: $(SMOOTH) $(BUILD)/page.inc
 	$(COMPILE) -I$(BUILD) $(SMOOTH) -lm
+$(BUILD)/gallery: $(GALLERY)
+	$(COMPILE) $(GALLERY) -lm
 $(BUILD)/pictures: $(PICTURES)
 	$(COMPILE) -Iexamples $(PICTURES) -lm
 $(BUILD)/accuracy: $(ACCURACY)
@@ -136,5 +146,5 @@ $(PROGRAMS) $(TOOLS) $(TESTS) $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test files pictures fuzz ledger dialects mutants bench accuracy sweep facts golden figures \
-        install help clean
+.PHONY: all demo test files pictures fuzz ledger dialects mutants bench accuracy sweep facts golden gallery \
+        figures install help clean

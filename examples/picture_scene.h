@@ -45,6 +45,7 @@ typedef struct scene {
 void scene_add_stroke(scene *s, n3_vec p, n3_vec q, double width, colour c);
 void scene_add_edge(scene *s, const n3_edge *e, double width, colour c);
 void scene_add_net(scene *s); /* of all patches, with their sides */
+void scene_add_room(scene *s, const scene *other); /* to be seen from where both can be seen */
 void scene_free(scene *s);    /* both arrays, which come from allocate() */
 
 /* Where the picture is taken from. up 'z': turned about the z axis from -y towards x, and lifted
