@@ -1207,6 +1207,16 @@ NAGATA3_API void n3_lattice_normals(const n3_patch *patch, int first, int last, 
    first point of patch 0. */
 NAGATA3_API void n3_lattice_triangles(int first, int last, int level, int *triangle);
 
+/* At the parameters uv[2 i] and uv[2 i + 1] of the patch parent[i], as n3_mesh_refine gives them:
+   n3_patch_point and n3_patch_jet, bit for bit, and the normal as n3_lattice_normals has it.
+   parent and uv are the whole arrays; every parent must be a patch. */
+NAGATA3_API void n3_patch_points(const n3_patch *patch, const int *parent, const n3_real *uv,
+                                 int first, int last, n3_vec *point);
+NAGATA3_API void n3_patch_jets(const n3_patch *patch, const int *parent, const n3_real *uv,
+                               int first, int last, n3_jet *jet);
+NAGATA3_API void n3_patch_normals(const n3_patch *patch, const int *parent, const n3_real *uv,
+                                  int first, int last, n3_vec *normal);
+
 /* ---- Report ---- */
 
 /* False if the patch certainly has no fold: all control vectors of its normal, du x dv, a quartic,
@@ -1832,7 +1842,7 @@ NAGATA3_API n3_status n3_mesh_normals(const n3_mesh *m, const n3_topology *t, n3
 #define N3I_WIDE_API NAGATA3_API __attribute__((always_inline))
 #define N3I_UNROLL   _Pragma("GCC unroll 8")
 typedef n3_real n3i_wide __attribute__((vector_size(N3I_BYTES)));
-__extension__ typedef N3I_PICK(long long, int) n3i_mask __attribute__((vector_size(N3I_BYTES)));
+typedef __typeof__(*(n3i_wide *)0 > *(n3i_wide *)0) n3i_mask; /* integers of the same size */
 #else
 #define N3I_WIDE_API NAGATA3_API
 #define N3I_UNROLL
@@ -2700,25 +2710,46 @@ N3I_WIDE_API n3i_mask n3i_wide_lattice(const n3i_wide_vec q[10], int level, int 
     return ok;
 }
 
-/* In a patch of size 1 a normal du x dv that is longer is made by the wide form: its direction has
+/* One over the size of the patch, the root of the sum of squares of the ways from p003. */
+N3I_WIDE_API n3i_wide n3i_wide_inverse_size(const n3i_wide_vec q[10], n3i_mask *ok)
+{
+    n3i_wide size = n3i_wide_of(0);
+    n3i_mask some;
+    int i;
+    for (i = 1; i < 10; i++) {
+        n3i_wide_vec d = n3i_wide_sub(q[i], q[0]);
+        size += n3i_wide_dot(d, d);
+    }
+    some = (n3i_mask)(size > 0);
+    *ok &= some;
+    return 1 / n3i_wide_sqrt(n3i_pick(some, size, n3i_wide_of(1)));
+}
+
+/* In a patch of this size 1 a product du x dv that is longer makes the normal: its direction has
    half its digits (float: two thirds) at least. */
 #define N3I_CLEAR (N3I_PICK((n3_real)1 / 1048576, (n3_real)1 / 512))
+
+/* The unit normal where du x dv is longer than clear; others are not ok. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_normal(n3i_wide_vec du, n3i_wide_vec dv, n3_real clear,
+                                          n3i_mask *ok)
+{
+    n3i_wide_vec n = n3i_wide_cross(du, dv);
+    n3i_wide nn = n3i_wide_dot(n, n);
+    n3i_mask is_clear = (n3i_mask)(nn > clear * clear);
+    *ok &= is_clear;
+    return n3i_wide_mul(1 / n3i_wide_sqrt(n3i_pick(is_clear, nn, n3i_wide_of(1))), n);
+}
 
 /* The normals of a lattice, in the same rows. */
 N3I_WIDE_API n3i_mask n3i_wide_normals(const n3i_wide_vec q[10], int level, n3i_sink *sink)
 {
     n3i_wide_vec c[10], du[2], dv[2], s, t;
-    n3i_wide one = n3i_wide_of(1), size = n3i_wide_of(0), u, v = size, nn, *at = sink->held;
-    n3_real h = 1 / (n3_real)level, clear = N3I_CLEAR * h * h;
-    n3i_mask ok;
+    n3i_wide one = n3i_wide_of(1), u, v = 0 * one, size, *at = sink->held;
+    n3_real h = 1 / (n3_real)level;
+    n3i_mask ok = (n3i_mask)(one > 0);
     int i, j;
     n3i_wide_powers(q, h, c);
-    for (i = 1; i < 10; i++) {
-        s = n3i_wide_sub(q[i], q[0]);
-        size += n3i_wide_dot(s, s);
-    }
-    ok = (n3i_mask)(size > 0);
-    size = 1 / n3i_wide_sqrt(n3i_pick(ok, size, one));
+    size = n3i_wide_inverse_size(q, &ok);
     for (i = 1; i < 10; i++) c[i] = n3i_wide_mul(size, c[i]);
     for (j = 0; j <= level; j++, v += one) {
         du[0] = n3i_wide_step(n3i_wide_step(c[8], v, c[5]), v, c[1]);
@@ -2728,18 +2759,15 @@ N3I_WIDE_API n3i_mask n3i_wide_normals(const n3i_wide_vec q[10], int level, n3i_
         for (i = 0, u = 0 * one; i <= level - j; i++, u += one) {
             s = n3i_wide_step(n3i_wide_step(c[3], 3 * u, du[1]), u, du[0]);
             t = n3i_wide_step(n3i_wide_step(c[6], u, dv[1]), u, dv[0]);
-            s = n3i_wide_cross(s, t);
-            nn = n3i_wide_dot(s, s);
-            ok &= (n3i_mask)(nn > clear * clear);
-            at = n3i_put(sink, at, n3i_wide_mul(1 / n3i_wide_sqrt(n3i_pick(ok, nn, one)), s));
+            at = n3i_put(sink, at, n3i_wide_normal(s, t, N3I_CLEAR * h * h, &ok));
         }
     }
     n3i_flush(sink, at);
     return ok;
 }
 
-/* What is wanted of a lattice: its points, those inside, or its normals. */
-enum { N3I_POINTS, N3I_INSIDE, N3I_NORMALS };
+/* What is wanted: points, of a lattice those inside it, normals, jets. */
+enum { N3I_POINTS, N3I_INSIDE, N3I_NORMALS, N3I_JETS };
 
 /* What the wide form left out. */
 NAGATA3_API void n3i_plain_lattice(const n3_patch *p, int level, int what, n3_vec *out)
@@ -2820,6 +2848,138 @@ NAGATA3_API void n3_lattice_triangles(int first, int last, int level, int *trian
                 triangle[2] = at + 1;
                 triangle += 3;
             }
+}
+
+/* w a + u b + v c */
+N3I_WIDE_API n3i_wide_vec n3i_wide_mix(n3i_wide w, n3i_wide_vec a, n3i_wide u, n3i_wide_vec b,
+                                       n3i_wide v, n3i_wide_vec c)
+{
+    return n3i_wide_add(n3i_wide_add(n3i_wide_mul(w, a), n3i_wide_mul(u, b)), n3i_wide_mul(v, c));
+}
+
+/* n3_patch_point off the sides; on them a lane is not ok. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_point(const n3i_wide_vec q[10], n3i_wide u, n3i_wide v,
+                                         n3i_mask *ok)
+{
+    n3i_wide w = 1 - u - v;
+    n3i_wide_vec corners = n3i_wide_mix(w * w * w, q[0], u * u * u, q[1], v * v * v, q[2]);
+    n3i_wide_vec ab = n3i_wide_add(n3i_wide_mul(3 * u * w * w, q[3]),
+                                   n3i_wide_mul(3 * u * u * w, q[4]));
+    n3i_wide_vec bc = n3i_wide_add(n3i_wide_mul(3 * u * u * v, q[5]),
+                                   n3i_wide_mul(3 * u * v * v, q[6]));
+    n3i_wide_vec ca = n3i_wide_add(n3i_wide_mul(3 * v * v * w, q[7]),
+                                   n3i_wide_mul(3 * v * w * w, q[8]));
+    *ok &= ((n3i_mask)(u < 0) | (n3i_mask)(u > 0)) & ((n3i_mask)(v < 0) | (n3i_mask)(v > 0)) &
+           ((n3i_mask)(w < 0) | (n3i_mask)(w > 0));
+    return n3i_wide_add(n3i_wide_add(corners, n3i_wide_mul(6 * u * v * w, q[9])),
+                        n3i_wide_add(n3i_wide_add(ab, bc), ca));                    /* (5.2.1) */
+}
+
+/* n3_patch_jet, but for the point. */
+typedef struct n3i_wide_jet { n3i_wide_vec x, du, dv, duu, duv, dvv; } n3i_wide_jet;
+
+N3I_WIDE_API n3i_wide_jet n3i_wide_jet_at(const n3i_wide_vec p[10], n3i_wide u, n3i_wide v)
+{
+    n3i_wide w = 1 - u - v, three = n3i_wide_of(3), six = n3i_wide_of(6);
+    n3i_wide_vec q[10], r002, r200, r020, r101, r110, r011, pw;
+    n3i_wide_jet j;
+    int i;
+    for (i = 0; i < 10; i++) q[i] = n3i_wide_sub(p[i], p[0]);
+    r002 = n3i_wide_mix(w, q[0], u, q[3], v, q[8]);
+    r200 = n3i_wide_mix(w, q[4], u, q[1], v, q[5]);
+    r020 = n3i_wide_mix(w, q[7], u, q[6], v, q[2]);
+    r101 = n3i_wide_mix(w, q[3], u, q[4], v, q[9]);
+    r110 = n3i_wide_mix(w, q[9], u, q[5], v, q[6]);
+    r011 = n3i_wide_mix(w, q[8], u, q[9], v, q[7]);
+    pw = n3i_wide_mix(w, r002, u, r101, v, r011);
+    j.x = p[0];
+    j.du = n3i_wide_mul(three, n3i_wide_sub(n3i_wide_mix(w, r101, u, r200, v, r110), pw));
+    j.dv = n3i_wide_mul(three, n3i_wide_sub(n3i_wide_mix(w, r011, u, r110, v, r020), pw));
+    j.duu = n3i_wide_sub(r002, r101);
+    j.dvv = n3i_wide_sub(r002, r011);
+    j.duv = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r110, r101), j.dvv));
+    j.duu = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r200, r101), j.duu));
+    j.dvv = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r020, r011), j.dvv));
+    return j;
+}
+
+/* What is wanted of N3I_WIDTH points: the point, the jet, or the normal, as numbers of a row. */
+N3I_WIDE_API n3i_mask n3i_wide_at(const n3i_wide_vec q[10], n3i_wide u, n3i_wide v, int what,
+                                  n3_real *const to[N3I_WIDTH])
+{
+    n3i_wide size;
+    n3i_mask ok = (n3i_mask)(u <= u);
+    n3i_wide_jet j;
+    if (what != N3I_POINTS) j = n3i_wide_jet_at(q, u, v);
+    if (what == N3I_NORMALS) {
+        size = n3i_wide_inverse_size(q, &ok);
+        j.x = n3i_wide_normal(n3i_wide_mul(size, j.du), n3i_wide_mul(size, j.dv), N3I_CLEAR, &ok);
+    } else {
+        j.x = n3i_wide_point(q, u, v, &ok);
+    }
+    n3i_store(&j.x.x, what == N3I_JETS ? 18 : 3, to);
+    return ok;
+}
+
+/* The plain form, into a row. */
+NAGATA3_API void n3i_plain_at(const n3_patch *p, const n3_real *uv, int what, n3_real *row)
+{
+    n3_jet j;
+    if (what == N3I_JETS) j = n3_patch_jet(p, uv[0], uv[1]);
+    else if (what == N3I_NORMALS) j.x = n3_patch_normal(p, uv[0], uv[1]);
+    else j.x = n3_patch_point(p, uv[0], uv[1]);
+    memcpy(row, &j, what == N3I_JETS ? sizeof j : sizeof j.x);
+}
+
+NAGATA3_API void n3i_evaluate(const n3_patch *patch, const int *parent, const n3_real *uv, int first,
+                              int last, int what, n3_real *out)
+{
+    const size_t size = what == N3I_JETS ? 18 : 3;
+    const int plain = what == N3I_POINTS && N3I_WIDTH < 4; /* as to gather takes longer */
+    for (; plain && first < last; first++, out += 3)
+        n3i_plain_at(&patch[parent[first]], uv + 2 * (size_t)first, what, out);
+    for (; first < last; first += N3I_WIDTH, out += N3I_WIDTH * size) {
+        const n3_real *from[N3I_WIDTH];
+        n3_real *to[N3I_WIDTH], row[2][N3I_WIDTH];
+        n3i_wide_vec q[10];
+        n3i_wide u, v;
+        n3i_mask ok;
+        int i;
+        for (i = 0; i < N3I_WIDTH; i++) {
+            int lane = first + i < last ? i : 0;
+            from[i] = &patch[parent[first + lane]].p[0].x;
+            to[i] = out + size * (size_t)lane;
+            row[0][i] = uv[2 * (size_t)(first + lane)];
+            row[1][i] = uv[2 * (size_t)(first + lane) + 1];
+        }
+        n3i_load(from, 30, &q[0].x);
+        memcpy(&u, row[0], sizeof u);
+        memcpy(&v, row[1], sizeof v);
+        ok = what == N3I_POINTS ? n3i_wide_at(q, u, v, N3I_POINTS, to)
+             : what == N3I_JETS ? n3i_wide_at(q, u, v, N3I_JETS, to)
+                                : n3i_wide_at(q, u, v, N3I_NORMALS, to);
+        for (i = 0; i < N3I_WIDTH && first + i < last; i++)
+            if (!n3i_lane(ok, i))
+                n3i_plain_at(&patch[parent[first + i]], uv + 2 * (size_t)(first + i), what, to[i]);
+    }
+}
+
+NAGATA3_API void n3_patch_points(const n3_patch *patch, const int *parent, const n3_real *uv,
+                                 int first, int last, n3_vec *point)
+{
+    n3i_evaluate(patch, parent, uv, first, last, N3I_POINTS, &point->x);
+}
+
+NAGATA3_API void n3_patch_jets(const n3_patch *patch, const int *parent, const n3_real *uv,
+                               int first, int last, n3_jet *jet)
+{
+    n3i_evaluate(patch, parent, uv, first, last, N3I_JETS, &jet->x.x);
+}
+
+NAGATA3_API void n3_patch_normals(const n3_patch *patch, const int *parent, const n3_real *uv,
+                                  int first, int last, n3_vec *normal)
+{
+    n3i_evaluate(patch, parent, uv, first, last, N3I_NORMALS, &normal->x);
 }
 
 /* ---- Definitions: refinement ---- */

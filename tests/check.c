@@ -110,7 +110,7 @@ int main(int argc, char **argv)
 {
     static const test_case *const tables[] = {tests_equations, tests_closed_forms, tests_golden,
                                               tests_degenerate, tests_properties,
-                                              tests_mesh, tests_net, tests_adaptive,
+                                              tests_mesh, tests_net, tests_adaptive, tests_batch,
                                               tests_accuracy};
     long passed = 0, failed = 0;
     size_t i;

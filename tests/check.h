@@ -13,7 +13,15 @@
 typedef struct test_case { const char *name; void (*run)(void); } test_case;
 
 extern const test_case tests_equations[], tests_closed_forms[], tests_golden[], tests_degenerate[],
-    tests_properties[], tests_mesh[], tests_net[], tests_adaptive[], tests_accuracy[];
+    tests_properties[], tests_mesh[], tests_net[], tests_adaptive[], tests_batch[],
+    tests_accuracy[];
+
+/* 1 where the compiler may contract products and sums, and one call round unlike another. */
+#ifdef FP_FAST_FMA
+enum { CONTRACTED = 1 };
+#else
+enum { CONTRACTED = 0 };
+#endif
 
 /* The relative spacing of n3_real at 1: 2^-52 or 2^-23. */
 #define EPS ((double)N3_EPS)
