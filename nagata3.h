@@ -415,12 +415,30 @@ NAGATA3_API n3_vec n3_unit(n3_vec a)
     return n3i_over(a, n3i_sqrt(n3_dot(a, a)));
 }
 
+/* n3_unit and n3_len of one vector. */
+NAGATA3_API n3_vec n3i_direction(n3_vec a, n3_real *length)
+{
+    n3_real s = n3i_largest(a), r;
+    *length = s + a.x + a.y + a.z; /* 0, or NaN */
+    if (!(s > 0)) return n3_mul(*length, a);
+    a = n3i_over(a, s);
+    r = n3i_sqrt(n3_dot(a, a));
+    *length = s * r;
+    return n3i_over(a, r);
+}
+
+/* True if n is zero or lies along the unit vector e. */
+NAGATA3_API int n3i_is_along(n3_vec e, n3_vec n)
+{
+    n3_vec m = n3_cross(e, n);
+    return n3_dot(m, m) <= N3_ALONG * N3_ALONG;
+}
+
 /* e x n, unit: the normal of the plane through the unit chord e perpendicular to the tangent plane
    of n. Zero when n is zero or lies along e. */
 NAGATA3_API n3_vec n3i_upright(n3_vec e, n3_vec n)
 {
-    n3_vec m = n3_cross(e, n);
-    return n3_dot(m, m) <= N3_ALONG * N3_ALONG ? n3_v(0, 0, 0) : n3_unit(m);
+    return n3i_is_along(e, n) ? n3_v(0, 0, 0) : n3_unit(n3_cross(e, n));
 }
 
 /* The part of n across the unit vector e, unit; zero when n is zero or lies along e. */
@@ -565,7 +583,7 @@ NAGATA3_API n3i_end n3i_end_make(n3_vec n, n3_vec e, n3_vec b, const n3_options 
     n3i_end t;
     t.cos = t.sin = 0;
     t.tan = o->tan_hi;
-    t.along = n3i_is_zero(n3i_upright(e, n));
+    t.along = n3i_is_along(e, n);
     if (t.along) return t;
     if (n3i_abs(ne) < o->tan_hi * n3i_abs(nb)) t.tan = n3i_abs(ne / nb);           /* (5.1.12) */
     t.tan = n3i_larger(t.tan, o->tan_lo);                                          /* (5.1.11) */
@@ -589,12 +607,12 @@ NAGATA3_API n3_edge n3i_edge_straight(n3_vec x0, n3_vec x1)
     return n3i_edge_of(x0, n3_add(x0, third), n3_sub(x1, third), x1);
 }
 
-/* m: unit normal of Pi. An end whose normal lies along the chord starts at 90 degrees on the side
+/* e, L: the chord's direction and length. An end whose normal lies along the chord starts at 90 degrees on the side
    from which the other end comes down. */
-NAGATA3_API n3_edge n3i_edge_paper(n3_vertex v0, n3_vertex v1, n3_vec m, const n3_options *o)
+NAGATA3_API n3_edge n3i_edge_paper(n3_vertex v0, n3_vertex v1, n3_vec e, n3_real L,
+                                   const n3_options *o)
 {
-    n3_vec d = n3_sub(v1.x, v0.x), e = n3_unit(d), b = n3_cross(m, e), ts, te;
-    n3_real L = n3_len(d);
+    n3_vec m = n3i_plane(e, v0.n, v1.n), b = n3_cross(m, e), ts, te;
     n3i_end s = n3i_end_make(v0.n, e, b, o), t = n3i_end_make(v1.n, e, b, o);
     n3_real ds = n3i_handle(s, t, L);                                              /* (5.1.13) */
     n3_real de = n3i_handle(t, s, L);                                              /* (5.1.14) */
@@ -653,13 +671,13 @@ NAGATA3_API int n3i_is_arc(const n3_options *o)
 NAGATA3_API n3_edge n3i_edge_sorted(n3_vertex a, n3_vertex b, const n3_options *given)
 {
     n3_options o = n3i_defaults(given);
-    n3_vec e = n3_unit(n3_sub(b.x, a.x)), m;
+    n3_real L;
+    n3_vec e = n3i_direction(n3_sub(b.x, a.x), &L);
     if (n3i_is_zero(a.n)) a.n = n3i_across(b.n, e);
     else if (n3i_is_zero(b.n)) b.n = n3i_across(a.n, e);
-    m = n3i_plane(e, a.n, b.n);
-    if (n3i_is_zero(m)) return n3i_edge_straight(a.x, b.x);
+    if (n3i_is_along(e, a.n) && n3i_is_along(e, b.n)) return n3i_edge_straight(a.x, b.x);
     if (n3i_is_arc(&o) && !(n3_len(n3_add(a.n, b.n)) <= N3_OPPOSITE)) return n3i_edge_arc(a, b);
-    return n3i_edge_paper(a, b, m, &o);
+    return n3i_edge_paper(a, b, e, L, &o);
 }
 
 NAGATA3_API n3_edge n3_edge_make(n3_vertex a, n3_vertex b, const n3_options *o)
