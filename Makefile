@@ -3,6 +3,7 @@ CC     ?= cc
 CXX    ?= c++
 CFLAGS ?= -O2
 PREFIX ?= /usr/local
+ROUNDS ?= 21
 BUILD   = build
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 
@@ -10,6 +11,12 @@ COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic -I. $(CPPFLAGS) $(CFLAGS) $(L
 EXAMPLES = smooth demo_mesh figure7 $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
 FIGURES  = facts scale accuracy bench_double bench_float
 PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) $(FIGURES))
+BENCH    = $(addprefix $(BUILD)/,bench_double bench_float)
+COUNTS   = $(addprefix $(BUILD)/,counts_double counts_float)
+COUNTED  = -O2 -march=x86-64-v3
+NATIVE   = $(shell $(CC) -march=native -E -xc /dev/null >/dev/null 2>&1 && echo -march=native)
+OPENMP   = $(shell echo 'int main(void) { return 0; }' | $(CC) -fopenmp -xc - -o /dev/null \
+           2>/dev/null && echo -fopenmp)
 TESTS    = $(addprefix $(BUILD)/,test_double test_float)
 TOOLS    = $(addprefix $(BUILD)/,write_seeds dump)
 TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c)) $(wildcard bench/accuracy_m*.c \
@@ -50,9 +57,12 @@ dialects:  ## the header alone, in every dialect of CC and CXX
 mutants:  ## break the header in 60 places, the tests must notice; MUTANTS=--all for everywhere
 	@CC="$(CC)" python3 tests/mutants.py $(MUTANTS) $(TEST_SRC)
 
-bench: $(BUILD)/bench_double $(BUILD)/bench_float $(BUILD)/scale  ## what calls and meshes cost
-	@$(BUILD)/bench_double $(ROUNDS) && $(BUILD)/bench_float $(ROUNDS)
+bench: $(BENCH) $(BUILD)/scale  ## what calls and meshes cost; also as CSV below build
+	@for b in $(BENCH); do $$b $(ROUNDS) $$b.csv || exit; done
 	@$(BUILD)/scale $(LARGEST)
+
+bench-counts: $(COUNTS)  ## instructions of each call against bench/counts.csv, by valgrind
+	@sh bench/counts.sh "$$($(CC) --version | head -n 1), $(COUNTED)" $(COUNTS) bench/counts.csv
 
 accuracy: $(BUILD)/accuracy  ## how far from surfaces that are known exactly
 	@$(BUILD)/accuracy $(SURFACES)
@@ -89,8 +99,8 @@ install:  ## the header, with what pkg-config and CMake need, below $(DESTDIR)$(
 	    'endif()' > $(LIB)/cmake/nagata3/nagata3-config-version.cmake
 
 help:  ## this list
-	@sed -n 's/^\([a-z]*\):.*  ## \(.*\)/\1:\2/p' Makefile | \
-	    while IFS=: read -r name what; do printf '%-9s %s\n' "$$name" "$$what"; done
+	@sed -n 's/^\([a-z-]*\):.*  ## \(.*\)/\1:\2/p' Makefile | \
+	    while IFS=: read -r name what; do printf '%-12s %s\n' "$$name" "$$what"; done
 
 clean:  ## remove what was built
 	rm -rf $(BUILD)
@@ -98,7 +108,9 @@ clean:  ## remove what was built
 $(BUILD)/test_double $(BUILD)/test_float: $(TEST_SRC)
 	$(COMPILE) -Itests $(TEST_SRC) -lm
 $(BUILD)/smooth: $(SMOOTH)
-	$(COMPILE) $(SMOOTH) -lm
+	$(COMPILE) $(OPENMP) $(SMOOTH) -lm
+$(BUILD)/03_threads: examples/03_threads.c
+	$(COMPILE) $(OPENMP) $< -lm
 $(BUILD)/accuracy: $(ACCURACY)
 	$(COMPILE) $(ACCURACY) -lm
 $(BUILD)/dump: tests/fuzz/dump.c $(MESH)
@@ -107,8 +119,8 @@ $(BUILD)/write_seeds: tests/fuzz/write_seeds.c $(SEEDS)
 	$(COMPILE) $< $(SEEDS)
 $(BUILD)/fuzz: tests/fuzz/fuzz.c $(SEEDS) $(FUZZ)
 	$(COMPILE) $(SANITIZE) -Iexamples -Dfree=sandbox_free $< $(SEEDS) $(FUZZ) -lm
-$(BUILD)/bench_double $(BUILD)/bench_float: bench/bench.c
-	$(COMPILE) $< -lm
+$(BENCH) $(COUNTS): bench/bench.c
+	$(COMPILE) $< -lm -pthread
 $(BUILD)/golden_gen: tests/golden_gen.c
 	$(CC) -O2 -o $@ $< -lquadmath -lm
 $(BUILD)/%: examples/%.c
@@ -121,10 +133,12 @@ $(BUILD)/%.svg: $(BUILD)/%
 	$< > $@.part && mv $@.part $@
 
 $(BUILD)/%_float: CPPFLAGS += -DNAGATA3_FLOAT
+$(BENCH) $(BUILD)/scale: CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O3 $(NATIVE),$(CFLAGS))
+$(COUNTS): CFLAGS := $(COUNTED)
 $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compiles in half the time
-$(PROGRAMS) $(TOOLS) $(TESTS) $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(BUILD)
+$(PROGRAMS) $(TOOLS) $(TESTS) $(COUNTS) $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(BUILD)
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test files fuzz ledger dialects mutants bench accuracy sweep facts golden figures \
-        install help clean
+.PHONY: all demo test files fuzz ledger dialects mutants bench bench-counts accuracy sweep facts \
+        golden figures install help clean

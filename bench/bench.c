@@ -1,4 +1,4 @@
-/* bench [--csv] [ROUNDS]: what each call costs, as a Markdown table on stdout, or as CSV.
+/* bench [ROUNDS [FILE]]: what each call costs, as a Markdown table on stdout and as CSV in FILE.
  * bench --list, bench --count NAME: the names; one call alone, for counting its instructions.
  *
  * An item is data: its name, its unit, the call on a range of triangles, and the naive form of the
@@ -411,19 +411,17 @@ static unsigned long checksum(const job *j)
     return sum;
 }
 
-static void print_row(int which, int i, int rounds, int csv)
+static void print_row(int which, int i, int rounds, FILE *csv)
 {
     const item *c = &items[i];
     double x[COLUMNS], spread[COLUMNS], reference = c->reference[sizeof(n3_real) == 4];
     const char *where = which ? "memory" : "cache", *type = sizeof(n3_real) == 4 ? "float" : "double";
     int k;
     for (k = 0; k < COLUMNS; k++) x[k] = median(result[which][i][k], rounds, &spread[k]);
-    if (csv) {
-        printf("%s,%s,%s,%s,%.4g,%.1f,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g\n", c->name, c->unit, type, where,
-               x[TIME], spread[TIME], c->bytes / x[TIME], x[TO_FILL], x[NAIVE], reference,
-               x[TO_NAIVE], x[THREADS]);
-        return;
-    }
+    if (csv)
+        fprintf(csv, "%s,%s,%s,%s,%.4g,%.1f,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g\n", c->name, c->unit, type,
+                where, x[TIME], spread[TIME], c->bytes / x[TIME], x[TO_FILL], x[NAIVE], reference,
+                x[TO_NAIVE], x[THREADS]);
     printf("| %s | %s | %.2f +- %.0f %% | %.2f | %.0f %% |", c->name, where, x[TIME], spread[TIME],
            c->bytes / x[TIME], 100 * x[TO_FILL]);
     if (x[NAIVE] > 0 && reference > 0)
@@ -434,24 +432,23 @@ static void print_row(int which, int i, int rounds, int csv)
     printf(" %.2f |\n", x[THREADS]);
 }
 
-static void print_table(int rounds, int csv)
+static void print_table(int rounds, FILE *csv)
 {
     double spread, two = median(chain, rounds, &spread);
     int which, i;
     if (csv)
-        printf("item,unit,type,where,ns,spread %%,GB/s,share of fill,naive ns,reference ns,"
-               "times naive,two threads\n");
-    else
-        printf("| %s | | ns | GB/s | of a fill | naive (reference) | times naive | 2 threads |\n"
-               "| --- | --- | --: | --: | --: | --: | --: | --: |\n",
-               sizeof(n3_real) == 4 ? "float" : "double");
+        fprintf(csv, "item,unit,type,where,ns,spread %%,GB/s,share of fill,naive ns,reference ns,"
+                     "times naive,two threads\n");
+    printf("| %s | | ns | GB/s | of a fill | naive (reference) | times naive | 2 threads |\n"
+           "| --- | --- | --: | --: | --: | --: | --: | --: |\n",
+           sizeof(n3_real) == 4 ? "float" : "double");
     for (which = 0; which < 2; which++)
         for (i = 0; i < ITEMS; i++)
             if (!which || items[i].large) print_row(which, i, rounds, csv);
-    if (csv) printf("multiply and add,step,double,cache,,,,,,,,%.4g\n", two);
-    else
-        printf("\nmedians of %d rounds; two threads of multiplications and additions: %.2f; "
-               "checksum %08lx\n\n", rounds, two, checksum(&cached));
+    if (csv) fprintf(csv, "multiply and add,step,double,cache,,,,,,,,%.4g\n", two);
+    printf("\nmedians of %d rounds; two threads of multiplications and additions: %.2f; "
+           "checksum %08lx\n\n",
+           rounds, two, checksum(&cached));
 }
 
 /* Where a profiler begins and stops to count. */
@@ -475,16 +472,21 @@ static int count(const char *name)
 
 int main(int argc, char **argv)
 {
-    int csv = argc > 1 && strcmp(argv[1], "--csv") == 0, rounds = 21, round, i;
+    int rounds = 21, round, i;
+    FILE *csv = NULL;
     if (argc == 2 && strcmp(argv[1], "--list") == 0) {
         for (i = 0; i < ITEMS; i++) printf("%s\n", items[i].name);
         return 0;
     }
     if (argc == 3 && strcmp(argv[1], "--count") == 0) return count(argv[2]);
-    if (argc > 1 + csv) rounds = atoi(argv[1 + csv]);
-    if (argc > 2 + csv || rounds < 1 || rounds > MAX_ROUNDS) {
-        fprintf(stderr, "usage: bench [--csv] [ROUNDS], 1 to %d\n", MAX_ROUNDS);
+    if (argc > 1) rounds = atoi(argv[1]);
+    if (argc > 3 || rounds < 1 || rounds > MAX_ROUNDS) {
+        fprintf(stderr, "usage: bench [ROUNDS [FILE]], 1 to %d\n", MAX_ROUNDS);
         return 2;
+    }
+    if (argc == 3 && (csv = fopen(argv[2], "w")) == NULL) {
+        perror(argv[2]);
+        return 1;
     }
     make_job(&cached, 8, 8);
     make_job(&beyond, 256, 128);
@@ -493,5 +495,5 @@ int main(int argc, char **argv)
         measure(1, round);
     }
     print_table(rounds, csv);
-    return 0;
+    return csv && fclose(csv) ? 1 : 0;
 }

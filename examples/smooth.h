@@ -54,6 +54,10 @@ void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_r
                   surface *s);
 void surface_free(surface *s);
 
+/* n3_mesh_refine into room that is there, each but point may be NULL. */
+void surface_refine(const surface *s, int level, n3_vec *point, int *triangle, n3_vec *normal,
+                    int *corner);
+
 /* The curve of an edge from its lower to its higher point. */
 n3_edge surface_edge(const surface *s, int edge);
 int surface_edges_with(const surface *s, unsigned flags);
