@@ -13,14 +13,14 @@ INCLUDE  = -I. -Itests -Iexamples -Iexamples/brown -Iexamples/join
 EXAMPLES = smooth brown join gallery demo_mesh figure7 \
            $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
 PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) facts scale accuracy seams) $(BENCH)
-PARALLEL = $(addprefix $(BUILD)/,smooth brown join gallery dump pictures_test)
+PARALLEL = $(addprefix $(BUILD)/,smooth brown join gallery dump pictures)
 BENCH    = $(addprefix $(BUILD)/bench_,double float)
 COUNTS   = $(addprefix $(BUILD)/counts_,double float)
 HEADER   = $(addprefix $(BUILD)/test_,double float)
 BROWN    = $(addprefix $(BUILD)/brown_test_,double float)
 JOIN     = $(addprefix $(BUILD)/join_test_,double float)
 TESTS    = $(HEADER) $(BROWN) $(JOIN)
-TOOLS    = $(addprefix $(BUILD)/,write_seeds dump pictures_test fuzz)
+TOOLS    = $(addprefix $(BUILD)/,write_seeds dump pictures fuzz)
 TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c)) $(wildcard bench/accuracy_m*.c) \
            bench/accuracy_surface.c
 SEEDS    = $(addprefix tests/fuzz/,mutate.c seeds.c)
@@ -55,8 +55,8 @@ brown: $(BROWN) $(BUILD)/brown $(BUILD)/smooth  ## Brown's surfaces, the program
 files: $(BUILD)/write_seeds $(BUILD)/dump $(BUILD)/smooth  ## every variant of every format
 	@sh tests/run.sh "sh tests/files_test.sh $(BUILD)/smooth $(BUILD)/write_seeds $(BUILD)/dump"
 
-pictures: $(BUILD)/pictures_test $(BUILD)/smooth $(BUILD)/demo_mesh  ## what smooth draws
-	@sh tests/run.sh $(BUILD)/pictures_test \
+pictures: $(BUILD)/pictures $(BUILD)/smooth $(BUILD)/demo_mesh  ## what smooth draws
+	@sh tests/run.sh $(BUILD)/pictures \
 	    "sh tests/pictures_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
 
 join: $(JOIN) $(BUILD)/join $(BUILD)/seams  ## two meshes joined by a smooth bridge
@@ -142,7 +142,7 @@ $(BENCH) $(COUNTS): bench/bench.c
 $(BUILD)/write_seeds: tests/fuzz/write_seeds.c $(SEEDS)
 $(BUILD)/fuzz: tests/fuzz/fuzz.c $(SEEDS) $(FUZZ)
 $(BUILD)/dump: tests/fuzz/dump.c
-$(BUILD)/pictures_test: $(wildcard tests/pictures/*.c)
+$(BUILD)/pictures: $(wildcard tests/pictures/*.c)
 $(PARALLEL): $(BUILD)/shared.a
 $(addprefix $(BUILD)/,facts scale): $(BUILD)/%: bench/%.c
 $(filter-out %/brown %/join %/gallery,$(addprefix $(BUILD)/,$(EXAMPLES))): $(BUILD)/%: examples/%.c
