@@ -2259,6 +2259,62 @@ N3I_WIDE_API n3i_mask n3i_wide_edge_arc(n3i_wide_vertex v0, n3i_wide_vertex v1, 
     return ok;
 }
 
+/* n3i_centre_cubic, from (6.1.10). */
+N3I_WIDE_API n3i_wide_vec n3i_wide_centre_cubic(const n3i_wide_vec p[9], const n3i_wide_vec n[3],
+                                                n3i_mask *ok)
+{
+    n3i_wide_vec corners = n3i_wide_add(n3i_wide_add(p[0], p[1]), p[2]), centre, x[3], v[3], mean;
+    n3i_wide K = n3i_wide_of(-(n3_real)3 / 64), three = n3i_wide_of(3), k, length;
+    int i;
+    centre = n3i_wide_add(n3i_wide_add(n3i_wide_add(p[4], p[7]), n3i_wide_add(p[8], p[5])),
+                          n3i_wide_add(p[3], p[6]));
+    centre = n3i_wide_sub(n3i_wide_over(centre, n3i_wide_of(4)),
+                          n3i_wide_over(corners, n3i_wide_of(6)));                 /* (6.1.10) */
+    mean = n3i_wide_over(corners, three);
+    for (i = 0; i < 3; i++) x[i] = n3i_wide_sub(p[i], mean);
+    mean = n3i_wide_over(n3i_wide_add(n3i_wide_add(n[0], n[1]), n[2]), three);
+    for (i = 0; i < 3; i++) v[i] = n3i_wide_sub(n[i], mean);
+    for (i = 0; i < 3; i++) {
+        n3i_wide_unit(n3i_wide_add(n[i], n[(i + 1) % 3]), &length, ok);
+        k = 1 / (1 + length / 2);
+        K += 3 * k * k / 16;
+    }
+    for (i = 0; i < 3; i++) {
+        int j = (i + 1) % 3;
+        n3i_wide A = n3i_wide_dot(x[i], v[j]) + n3i_wide_dot(x[j], v[i]);
+        centre = n3i_wide_sub(centre, n3i_wide_mul(K * A / 2, v[(i + 2) % 3]));
+    }
+    return centre;
+}
+
+/* n3_patch_centre_arc. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_centre_arc(const n3i_wide_vec p[9], const n3i_wide_vec n[3],
+                                              const n3i_wide_vec mid[3], n3i_mask *ok)
+{
+    n3i_wide_vec N = n3i_wide_add(n3i_wide_add(n[0], n[1]), n[2]);
+    n3i_wide_vec C = n3i_wide_centre_cubic(p, n, ok);
+    n3i_wide eighth = n3i_wide_of((n3_real)1 / 8), low, rc = 0 * eighth, cc = rc, length;
+    int i;
+    low = (n3_real)3 / 4 * n3i_wide_larger(n3i_wide_dot(N, N), eighth / 2);
+    for (i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        n3i_wide_vec p1 = p[3 + 2 * i], p2 = p[4 + 2 * i], x, facing, t, ne;
+        x = n3i_wide_add(
+            n3i_wide_add(n3i_wide_mul(eighth, p[i]), n3i_wide_mul(3 * eighth, p1)),
+            n3i_wide_add(n3i_wide_mul(3 * eighth, p2), n3i_wide_mul(eighth, p[j])));
+        facing = n3i_wide_add(p[3 + 2 * j], p[4 + 2 * k]);
+        facing = n3i_wide_mul(4 * eighth, facing);
+        x = n3i_wide_sub(n3i_wide_sub(n3i_wide_add(x, x), facing), C);
+        t = n3i_wide_add(n3i_wide_sub(p[j], p[i]), n3i_wide_sub(p2, p1));
+        t = n3i_wide_unit(t, &length, ok);
+        ne = n3i_wide_upright(t, n3i_wide_unit(mid[i], &length, ok), ok);
+        ne = n3i_wide_cross(ne, t);
+        rc += n3i_wide_dot(ne, x) * n3i_wide_dot(ne, N);
+        cc += n3i_wide_dot(ne, N) * n3i_wide_dot(ne, N);
+    }
+    return n3i_wide_add(C, n3i_wide_mul(rc / n3i_wide_larger(cc, low), N));
+}
+
 /* ---- Definitions: the net ---- */
 
 /* What the triangles bring to one end of an edge. n: the one normal, or the unit sum of all;
@@ -2641,14 +2697,45 @@ NAGATA3_API void n3_mesh_edges(const n3_mesh *m, const n3_topology *t, const n3_
     }
 }
 
+/* Centres of the arc rule, of triangles first up to last, at most N3I_WIDTH. The rows are those of
+   n3i_wide_centre_arc: the sides' control points, the normals of the corners, and of the sides. */
+NAGATA3_API void n3i_arc_centres(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+                                 int first, int last, n3_vec *net)
+{
+    n3_vec row[N3I_WIDTH][15], *centre = net + m->points + 2 * t->edges;
+    const n3_real *from[N3I_WIDTH];
+    n3_real *to[N3I_WIDTH];
+    n3i_wide_vec v[15];
+    n3i_mask ok;
+    int i, k, node[10];
+    for (i = 0; i < N3I_WIDTH; i++) {
+        int f = first + i < last ? first + i : first;
+        n3_mesh_patch_nodes(m, t, f, node);
+        for (k = 0; k < 9; k++) row[i][k] = net[node[k]];
+        for (k = 0; k < 3; k++) row[i][9 + k] = n3i_corner_normal(m, 3 * f + k);
+        for (k = 0; k < 3; k++)
+            row[i][12 + k] = o->rule == N3_RULE_FIT
+                                 ? n3i_side_mid(m, t, 3 * f + k)
+                                 : n3_add(row[i][9 + k], row[i][9 + (k + 1) % 3]);
+        from[i] = &row[i][0].x;
+        to[i] = &centre[f].x;
+    }
+    n3i_load(from, 45, &v[0].x);
+    ok = (n3i_mask)(v[0].x <= v[0].x);
+    v[0] = n3i_wide_centre_arc(v, v + 9, v + 12, &ok);
+    n3i_store(&v[0].x, 3, to);
+    for (i = 0; i < N3I_WIDTH && first + i < last; i++)
+        if (!n3i_lane(ok, i)) centre[first + i] = n3i_mesh_centre(m, t, o, net, first + i);
+}
+
 NAGATA3_API void n3_mesh_centres(const n3_mesh *m, const n3_topology *t, const n3_options *o,
                                  int first, int last, n3_vec *net)
 {
     n3_vec *centre = net + m->points + 2 * t->edges;
-    for (; first < last; first++) {
-        centre[first] = n3_v(0, 0, 0);
-        centre[first] = n3i_mesh_centre(m, t, o, net, first);
-    }
+    memset(centre + first, 0, (size_t)(last - first) * sizeof *centre); /* they are read */
+    for (; n3i_is_arc(o) && first < last; first += N3I_WIDTH)
+        n3i_arc_centres(m, t, o, first, last - first < N3I_WIDTH ? last : first + N3I_WIDTH, net);
+    for (; first < last; first++) centre[first] = n3i_mesh_centre(m, t, o, net, first);
 }
 
 NAGATA3_API int n3_mesh_nodes(const n3_mesh *m, const n3_topology *t)
