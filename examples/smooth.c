@@ -1,17 +1,18 @@
 /* smooth: a triangle mesh into a smooth surface, or into a finer mesh on it. */
+#include "smooth_command.h"
 #include "smooth_grid.h"
 
 #include <errno.h>
-#include <stdarg.h>
 #include <stdlib.h>
 
 const char program[] = "smooth";
 
-static const char usage[] =
+const char usage[] =
     "usage: smooth IN -o OUT [-n LEVEL | --tol T[%] | --order 2|3 | --bezier] [--text | --binary]\n"
-    "              [--rule paper|arc|fit|nagata|pn|flat] [--boundary] [--crease DEG] [--weld REL]\n"
-    "              [--view VIEW] [--size WxH] [--turn DEG] [--rise DEG] [--zoom Z] [--up x|y|z]\n"
-    "              [--report] [--json] [--quiet]\n";
+    "              [--rule paper|arc|fit|nagata|pn|flat] [--quads brown] [--boundary]\n"
+    "              [--crease DEG] [--weld REL] [--view VIEW] [--size WxH] [--turn DEG]\n"
+    "              [--rise DEG] [--zoom Z] [--up x|y|z] [--report] [--json]\n"
+    "              [--times] [--quiet]\n";
 
 static const char help[] =
     "Lays a smooth surface through the points of a mesh of triangles, tangent to its normals.\n"
@@ -36,6 +37,8 @@ static const char help[] =
     "                 arc: the same with edges that are circular arcs where they can be\n"
     "                 fit: arc, and the bend across edges fitted to the triangles around\n"
     "                 nagata: quadratic Nagata patches; pn: PN triangles; flat: the facets\n"
+    "  --quads brown  over each quad one of Brown's squares, not two triangles: where quads meet,\n"
+    "                 their tangent planes agree all along\n"
     "  --crease DEG   an edge is sharp where its faces meet at more than this angle (50). Normals\n"
     "                 in the file overrule it, OBJ smoothing groups add to it.\n"
     "  --weld REL     join points closer than this part of the bounding box's diagonal. Equal\n"
@@ -50,6 +53,7 @@ static const char help[] =
     "  --up x|y|z     which axis is up (z)\n"
     "\n"
     "  --report       say on stdout what was found and done; with --json, as JSON\n"
+    "  --times        say on stderr how long each kind of work took\n"
     "  --quiet        no statistics and no progress on stderr\n"
     "  -h, --help     this text\n"
     "  --version      the version\n"
@@ -62,56 +66,10 @@ typedef struct options {
     const char *in;
     request out; /* path NULL: none */
     const smooth_rule *rule;
-    int boundary, report, json, quiet;
+    int boundary, quads, report, json, quiet, times;
     n3_real crease; /* degrees */
     n3_real weld;   /* negative: by the format */
 } options;
-
-static void misuse(const char *format, ...)
-{
-    va_list arguments;
-    fprintf(stderr, "%s: ", program);
-    va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
-    va_end(arguments);
-    fprintf(stderr, "\n%s", usage);
-    exit(2);
-}
-
-/* The argument of an option as a number from lo to hi. */
-static n3_real number(const char *option, const char *value, double lo, double hi)
-{
-    char *end;
-    double x = strtod(value, &end);
-    if (end == value || *end || !(x >= lo && x <= hi))
-        misuse("%s takes a number from %g to %g, not '%s'", option, lo, hi, value);
-    return (n3_real)x;
-}
-
-static int whole_number(const char *option, const char *value, int lo, int hi)
-{
-    n3_real x = number(option, value, lo, hi);
-    if (x > floor(x)) misuse("%s takes a whole number, not '%s'", option, value);
-    return (int)x;
-}
-
-static void print_and_exit(const char *text)
-{
-    fputs(text, stdout);
-    exit(fflush(stdout) || ferror(stdout) ? EXIT_FAILURE : EXIT_SUCCESS);
-}
-
-/* A length, or so many percent. */
-static void read_tolerance(request *r, const char *option, const char *value)
-{
-    const double most = 1e100;
-    char *end;
-    double x = strtod(value, &end);
-    r->relative = *end == '%';
-    if (end == value || end[r->relative] || !(x > 0 && x <= most))
-        misuse("%s takes a length or a percentage above 0, not '%s'", option, value);
-    r->tolerance = (n3_real)(r->relative ? x / 100 : x);
-}
 
 /* Options without a value. False if it is none of them. */
 static int read_switch(options *o, const char *a)
@@ -130,6 +88,8 @@ static int read_switch(options *o, const char *a)
         o->report = o->json = 1;
     else if (!strcmp(a, "--quiet"))
         o->quiet = 1;
+    else if (!strcmp(a, "--times"))
+        o->times = 1;
     else
         return 0;
     return 1;
@@ -158,30 +118,38 @@ static int read_look(request *r, const char *a, const char *value)
     if (i == 0 && view_find(value) < 0) misuse("there is no view '%s'", value);
     if (i == 0) r->view = (view)view_find(value);
     if (i == 1) read_size(r, a, value);
-    if (i == 2) r->camera.turn = (double)number(a, value, -360, 360);
-    if (i == 3) r->camera.rise = (double)number(a, value, -90, 90);
-    if (i == 4) r->camera.zoom = (double)number(a, value, 0.01, 100);
+    if (i == 2) r->camera.turn = (double)option_number(a, value, -360, 360);
+    if (i == 3) r->camera.rise = (double)option_number(a, value, -90, 90);
+    if (i == 4) r->camera.zoom = (double)option_number(a, value, 0.01, 100);
     if (i == 5 && (strlen(value) != 1 || !strchr("xyz", value[0])))
         misuse("%s takes x, y or z, not '%s'", a, value);
     if (i == 5) r->camera.up = value[0];
     return 1;
 }
 
+static int quads_number(const char *option, const char *value)
+{
+    if (strcmp(value, "brown") && strcmp(value, "split"))
+        misuse("%s takes brown or split, not '%s'", option, value);
+    return value[0] == 'b';
+}
+
 static int read_value(options *o, const char *a, const char *value)
 {
     static const char *const known[] = {"-o",     "-n",    "--rule", "--crease",
-                                        "--weld", "--tol", "--order"};
+                                        "--weld", "--tol", "--order", "--quads"};
     size_t i, n = sizeof known / sizeof *known;
     for (i = 0; i < n && strcmp(a, known[i]); i++) continue;
     if (i == n) return read_look(&o->out, a, value);
     if (!value) misuse("%s takes a value", a);
     if (i == 0) o->out.path = value;
-    if (i == 1) o->out.level = whole_number(a, value, 1, 1000);
+    if (i == 1) o->out.level = option_whole(a, value, 1, 1000);
     if (i == 2 && !(o->rule = smooth_rule_find(value))) misuse("there is no rule '%s'", value);
-    if (i == 3) o->crease = number(a, value, 0, 180);
-    if (i == 4) o->weld = number(a, value, 0, 1);
-    if (i == 5) read_tolerance(&o->out, a, value);
-    if (i == 6) o->out.kind = whole_number(a, value, 2, 3) == 2 ? QUADRATIC : CUBIC;
+    if (i == 3) o->crease = option_number(a, value, 0, 180);
+    if (i == 4) o->weld = option_number(a, value, 0, 1);
+    if (i == 5) option_tolerance(&o->out, a, value);
+    if (i == 6) o->out.kind = option_whole(a, value, 2, 3) == 2 ? QUADRATIC : CUBIC;
+    if (i == 7) o->quads = quads_number(a, value);
     return 1;
 }
 
@@ -193,13 +161,13 @@ static void check_options(const options *o)
     if ((r->level > 0) + (r->tolerance > 0) + (r->kind != FACETS) > 1)
         misuse("-n, --tol, --order and --bezier exclude each other");
     if (r->path && product_refuse(r)) misuse("'%s' %s", r->path, product_refuse(r));
+    if (o->quads && (r->kind == BEZIER || (r->path && product_is_exact(r))))
+        misuse("--quads brown has no control points for --bezier, .step and .html");
 }
 
 static options read_options(int argc, char **argv)
 {
-    const request plain = {NULL, 0,   FACETS,      0,                0, -1,
-                           800,  600, VIEW_SHADED, {30, 20, 1, 'z'}, 0};
-    options o = {NULL, plain, NULL, 0, 0, 0, 0, 50, -1};
+    options o = {NULL, request_plain(), NULL, 0, 0, 0, 0, 0, 0, 50, -1};
     int i;
     o.rule = smooth_rule_find("paper");
     for (i = 1; i < argc; i++) {
@@ -223,42 +191,36 @@ static options read_options(int argc, char **argv)
     return o;
 }
 
-/* What was done to the mesh before anything else; never in silence, unless asked. */
-static void report_reading(const char *path, const mesh *m)
-{
-    if (m->skipped)
-        fprintf(stderr, "%s: %s: left out %d cells that are no %s\n", program, path, m->skipped,
-                m->boundary ? "volumes" : "faces");
-    if (m->curved)
-        fprintf(stderr, "%s: %s: took the corners alone of %d curved cells\n", program, path,
-                m->curved);
-    if (m->lost_fields)
-        fprintf(stderr, "%s: %s: left out %d fields of no numbers, few or too large ones\n",
-                program, path, m->lost_fields);
-    if (!m->joined && !m->welded && !m->collapsed) return;
-    fprintf(stderr, "%s: %s: joined %d equal points", program, path, m->joined);
-    if (m->reach > 0) fprintf(stderr, " and %d within %.3g", m->welded, (double)m->reach);
-    fprintf(stderr, "; left out %d collapsed triangles\n", m->collapsed);
-}
-
 /* Formats that number their points, from 0 or from 1. */
 static int numbers_points(const mesh *m)
 {
     return strcmp(m->format, "OBJ") && strcmp(m->format, "STL") && strcmp(m->format, "PLY");
 }
 
-/* The points keep their numbers as a field "id", if some are left out and others move up. */
+/* Numbers the points by a field "id", unless they have one. False if they have. */
+static int number_points(mesh *m, int first)
+{
+    double *value;
+    int i;
+    if (mesh_field_find(m->point_field, m->point_fields, "id")) return 0;
+    value = allocate((size_t)m->points, sizeof *value);
+    for (i = 0; i < m->points; i++) value[i] = i + first;
+    field_add(&m->point_field, &m->point_fields, "id", 2, 1, value)->kind = NUMBERS;
+    return 1;
+}
+
+/* The points keep their numbers, if others of the file's cells have been left out or move up. */
 static void join_points(mesh *m, n3_real weld)
 {
-    int i, first = strcmp(m->format, "MSH") == 0, fields = m->point_fields;
-    if (numbers_points(m) && !mesh_field_find(m->point_field, fields, "id")) {
-        double *value = allocate((size_t)m->points, sizeof *value);
-        for (i = 0; i < m->points; i++) value[i] = i + first;
-        field_add(&m->point_field, &m->point_fields, "id", 2, 1, value)->whole = 1;
-    }
+    const int first = strcmp(m->format, "MSH") == 0, id = m->point_fields;
+    int i, added = numbers_points(m) && number_points(m, first);
+    const field *f = mesh_field_find(m->point_field, m->point_fields, "id");
+    for (i = 0; f && i < m->points; i++)
+        if (f->value[i] > m->highest) m->highest = f->value[i];
     mesh_join(m, weld);
-    if (m->point_fields > fields && !m->joined && !m->welded && !m->unused)
-        field_drop(m->point_field, &m->point_fields, fields);
+    if (!added || m->skipped) return;
+    for (i = 0; i < m->points && f->value[i] <= i + first; i++) continue;
+    if (i == m->points) field_drop(m->point_field, &m->point_fields, id);
 }
 
 static void read_mesh(const options *o, mesh *m)
@@ -284,11 +246,13 @@ int main(int argc, char **argv)
     output_catch_signals();
     if (o.quiet) progress_hide();
     read_mesh(&o, &m);
-    progress("laying the surface", -1, 1);
     surface_make(o.in, &m, o.rule, cos(o.crease * degree), &s);
+    if (o.quads) surface_find_quads(&m, &s);
     if (o.out.path) out = product_write(&o.out, &m, &s);
+    progress("measuring", -1, 1);
+    r = surface_report(&s);
     progress_hide();
-    r = n3_mesh_report(&s.mesh, &s.topology, s.net, s.flags);
+    if (o.times) progress_times(m.triangles);
     if (!o.quiet) report_line(o.in, &s, &r, &out);
     if (o.report) (o.json ? report_json : report_text)(stdout, o.in, &m, &s, &r, &out);
     surface_free(&s);
