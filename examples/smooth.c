@@ -1,17 +1,18 @@
 /* smooth: a triangle mesh into a smooth surface, or into a finer mesh on it. */
+#include "smooth_command.h"
 #include "smooth_grid.h"
 
 #include <errno.h>
-#include <stdarg.h>
 #include <stdlib.h>
 
 const char program[] = "smooth";
 
-static const char usage[] =
+const char usage[] =
     "usage: smooth IN -o OUT [-n LEVEL | --tol T[%] | --order 2|3 | --bezier] [--text | --binary]\n"
-    "              [--rule paper|arc|fit|nagata|pn|flat] [--boundary] [--crease DEG] [--weld REL]\n"
-    "              [--view VIEW] [--size WxH] [--turn DEG] [--rise DEG] [--zoom Z] [--up x|y|z]\n"
-    "              [--report] [--json] [--times] [--quiet]\n";
+    "              [--rule paper|arc|fit|nagata|pn|flat] [--quads brown] [--boundary]\n"
+    "              [--crease DEG] [--weld REL] [--view VIEW] [--size WxH] [--turn DEG]\n"
+    "              [--rise DEG] [--zoom Z] [--up x|y|z] [--report] [--json]\n"
+    "              [--times] [--quiet]\n";
 
 static const char help[] =
     "Lays a smooth surface through the points of a mesh of triangles, tangent to its normals.\n"
@@ -35,6 +36,8 @@ static const char help[] =
     "                 arc: the same with edges that are circular arcs where they can be\n"
     "                 fit: arc, and the bend across edges fitted to the triangles around\n"
     "                 nagata: quadratic Nagata patches; pn: PN triangles; flat: the facets\n"
+    "  --quads brown  over each quad one of Brown's squares, not two triangles: where quads meet,\n"
+    "                 their tangent planes agree all along\n"
     "  --crease DEG   an edge is sharp where its faces meet at more than this angle (50). Normals\n"
     "                 in the file overrule it, OBJ smoothing groups add to it.\n"
     "  --weld REL     join points closer than this part of the bounding box's diagonal. Equal\n"
@@ -62,56 +65,10 @@ typedef struct options {
     const char *in;
     request out; /* path NULL: none */
     const smooth_rule *rule;
-    int boundary, report, json, quiet, times;
+    int boundary, quads, report, json, quiet, times;
     n3_real crease; /* degrees */
     n3_real weld;   /* negative: by the format */
 } options;
-
-static void misuse(const char *format, ...)
-{
-    va_list arguments;
-    fprintf(stderr, "%s: ", program);
-    va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
-    va_end(arguments);
-    fprintf(stderr, "\n%s", usage);
-    exit(2);
-}
-
-/* The argument of an option as a number from lo to hi. */
-static n3_real number(const char *option, const char *value, double lo, double hi)
-{
-    char *end;
-    double x = strtod(value, &end);
-    if (end == value || *end || !(x >= lo && x <= hi))
-        misuse("%s takes a number from %g to %g, not '%s'", option, lo, hi, value);
-    return (n3_real)x;
-}
-
-static int whole_number(const char *option, const char *value, int lo, int hi)
-{
-    n3_real x = number(option, value, lo, hi);
-    if (x > floor(x)) misuse("%s takes a whole number, not '%s'", option, value);
-    return (int)x;
-}
-
-static void print_and_exit(const char *text)
-{
-    fputs(text, stdout);
-    exit(fflush(stdout) || ferror(stdout) ? EXIT_FAILURE : EXIT_SUCCESS);
-}
-
-/* A length, or so many percent. */
-static void read_tolerance(request *r, const char *option, const char *value)
-{
-    const double most = 1e100;
-    char *end;
-    double x = strtod(value, &end);
-    r->relative = *end == '%';
-    if (end == value || end[r->relative] || !(x > 0 && x <= most))
-        misuse("%s takes a length or a percentage above 0, not '%s'", option, value);
-    r->tolerance = (n3_real)(r->relative ? x / 100 : x);
-}
 
 /* Options without a value. False if it is none of them. */
 static int read_switch(options *o, const char *a)
@@ -160,30 +117,38 @@ static int read_look(request *r, const char *a, const char *value)
     if (i == 0 && view_find(value) < 0) misuse("there is no view '%s'", value);
     if (i == 0) r->view = (view)view_find(value);
     if (i == 1) read_size(r, a, value);
-    if (i == 2) r->camera.turn = (double)number(a, value, -360, 360);
-    if (i == 3) r->camera.rise = (double)number(a, value, -90, 90);
-    if (i == 4) r->camera.zoom = (double)number(a, value, 0.01, 100);
+    if (i == 2) r->camera.turn = (double)option_number(a, value, -360, 360);
+    if (i == 3) r->camera.rise = (double)option_number(a, value, -90, 90);
+    if (i == 4) r->camera.zoom = (double)option_number(a, value, 0.01, 100);
     if (i == 5 && (strlen(value) != 1 || !strchr("xyz", value[0])))
         misuse("%s takes x, y or z, not '%s'", a, value);
     if (i == 5) r->camera.up = value[0];
     return 1;
 }
 
+static int quads_number(const char *option, const char *value)
+{
+    if (strcmp(value, "brown") && strcmp(value, "split"))
+        misuse("%s takes brown or split, not '%s'", option, value);
+    return value[0] == 'b';
+}
+
 static int read_value(options *o, const char *a, const char *value)
 {
     static const char *const known[] = {"-o",     "-n",    "--rule", "--crease",
-                                        "--weld", "--tol", "--order"};
+                                        "--weld", "--tol", "--order", "--quads"};
     size_t i, n = sizeof known / sizeof *known;
     for (i = 0; i < n && strcmp(a, known[i]); i++) continue;
     if (i == n) return read_look(&o->out, a, value);
     if (!value) misuse("%s takes a value", a);
     if (i == 0) o->out.path = value;
-    if (i == 1) o->out.level = whole_number(a, value, 1, 1000);
+    if (i == 1) o->out.level = option_whole(a, value, 1, 1000);
     if (i == 2 && !(o->rule = smooth_rule_find(value))) misuse("there is no rule '%s'", value);
-    if (i == 3) o->crease = number(a, value, 0, 180);
-    if (i == 4) o->weld = number(a, value, 0, 1);
-    if (i == 5) read_tolerance(&o->out, a, value);
-    if (i == 6) o->out.kind = whole_number(a, value, 2, 3) == 2 ? QUADRATIC : CUBIC;
+    if (i == 3) o->crease = option_number(a, value, 0, 180);
+    if (i == 4) o->weld = option_number(a, value, 0, 1);
+    if (i == 5) option_tolerance(&o->out, a, value);
+    if (i == 6) o->out.kind = option_whole(a, value, 2, 3) == 2 ? QUADRATIC : CUBIC;
+    if (i == 7) o->quads = quads_number(a, value);
     return 1;
 }
 
@@ -195,13 +160,13 @@ static void check_options(const options *o)
     if ((r->level > 0) + (r->tolerance > 0) + (r->kind != FACETS) > 1)
         misuse("-n, --tol, --order and --bezier exclude each other");
     if (r->path && product_refuse(r)) misuse("'%s' %s", r->path, product_refuse(r));
+    if (o->quads && (r->kind == BEZIER || (r->path && product_is_exact(r))))
+        misuse("--quads brown has no control points for --bezier and .step");
 }
 
 static options read_options(int argc, char **argv)
 {
-    const request plain = {NULL, 0,   FACETS,      0,                0, -1,
-                           800,  600, VIEW_SHADED, {30, 20, 1, 'z'}, 0};
-    options o = {NULL, plain, NULL, 0, 0, 0, 0, 0, 50, -1};
+    options o = {NULL, request_plain(), NULL, 0, 0, 0, 0, 0, 0, 50, -1};
     int i;
     o.rule = smooth_rule_find("paper");
     for (i = 1; i < argc; i++) {
@@ -276,7 +241,7 @@ static void tell(const options *o, const mesh *m, const surface *s, const produc
     memset(&r, 0, sizeof r);
     if (!o->quiet || o->report) {
         progress("measuring", -1, 1);
-        r = n3_mesh_report(&s->mesh, &s->topology, s->net, s->flags);
+        r = surface_report(s);
     }
     progress_hide();
     if (o->times) progress_times(m->triangles);
@@ -295,6 +260,7 @@ int main(int argc, char **argv)
     if (o.quiet) progress_hide();
     read_mesh(&o, &m);
     surface_make(o.in, &m, o.rule, cos(o.crease * degree), &s);
+    if (o.quads) surface_find_quads(&m, &s);
     if (o.out.path) out = product_write(&o.out, &m, &s);
     tell(&o, &m, &s, &out);
     surface_free(&s);

@@ -5,6 +5,8 @@
 #include "mesh.h"
 #include "picture_scene.h"
 
+#include "brown/brown.h"
+
 /* How the edges' curves are made. The rules of the header know creases; the three others take the
    paper's curve there, so that the faces stay joined. */
 typedef struct smooth_rule {
@@ -28,6 +30,10 @@ typedef struct surface {
     n3_vec *net;     /* nodes control points, shared between patches */
     unsigned *flags; /* of each edge */
     int inferred;    /* corners whose normal is not from the file */
+    int squares;     /* Brown's, each over two triangles that follow one another: */
+    brown_square *square;
+    int *half; /* of each triangle, 2 * its square, whose corners 0 1 2 it has, or 2 * its square + 1
+                  for 0 2 3; negative: it is a patch. NULL: they all are */
 } surface;
 
 /* Facets, elements with nodes on the surface, or with control points. */
@@ -59,6 +65,27 @@ void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_r
                   surface *s);
 void surface_free(surface *s);
 
+/* Squares over the quads that the mesh had in the file, in place of patches. */
+void surface_find_quads(const mesh *m, surface *s);
+
+/* The same for squares that are known already: half and their number are set, and then, once this
+   has made room, square and the control points of their sides in the net. */
+void surface_take_squares(surface *s);
+
+/* The unit normal at the parameters of a triangle. */
+n3_vec surface_normal(const surface *s, int triangle, n3_real u, n3_real v);
+
+/* The unit normals over a triangle that is half of a square, as n3_lattice_normals has them for
+   patches; over other triangles nothing is done. */
+void surface_square_normals(const surface *s, int triangle, int level, n3_vec *normal);
+
+/* The fewest parts for each edge with which facets are within the distance, as found in the middle
+   of each and of its sides. */
+int surface_level(const surface *s, n3_real distance);
+
+/* What the header says of the mesh, with distances and jumps of the squares. */
+n3_report surface_report(const surface *s);
+
 /* The curve of an edge from its lower to its higher point. */
 n3_edge surface_edge(const surface *s, int edge);
 int surface_edges_with(const surface *s, unsigned flags);
@@ -68,6 +95,8 @@ n3_real surface_size(const surface *s);
 
 /* NULL, or why such a file cannot be: for people, to go behind its name. */
 const char *product_refuse(const request *r);
+/* True of formats that hold the surface itself. */
+int product_is_exact(const request *r);
 product product_write(const request *r, const mesh *m, const surface *s);
 
 /* What reading has made of the file, never in silence: for stderr, a line for each. */

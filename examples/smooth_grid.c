@@ -32,7 +32,7 @@ static void grid_room(grid *g, unsigned with)
         g->corner = allocate(n, 3 * sizeof *g->corner);
     }
     g->origin = allocate(n, sizeof *g->origin);
-    if (!(with & WITH_FIELDS) || !g->mesh->point_fields) return;
+    if (!(with & WITH_FIELDS && g->mesh->point_fields) && !g->surface->squares) return;
     g->parent = allocate(nodes, sizeof *g->parent);
     g->uv = allocate(nodes, 2 * sizeof *g->uv);
 }
@@ -169,6 +169,7 @@ void grid_refine(const mesh *m, const surface *s, int level, unsigned with, grid
     n3_mesh_refine(&s->mesh, &s->topology, s->net, level, g->node, g->element, g->normal, g->corner,
                    g->parent, g->uv);
     for (i = 0; i < g->elements; i++) g->origin[i] = i / (level * level);
+    if (s->squares) grid_lay_squares(g, level);
     finish_facets(g, with);
 }
 
@@ -216,11 +217,14 @@ static void sum_normals(grid *g, int level, const int *places)
         last = g->elements - first < BLOCK ? g->elements : first + BLOCK;
         n3_mesh_patches(&s->mesh, &s->topology, s->net, first, last, patch);
         n3_lattice_normals(patch, 0, last - first, level, normal);
-        for (i = first; i < last; i++)
+        for (i = first; i < last; i++) {
+            n3_vec *own = normal + (i - first) * size;
+            surface_square_normals(s, i, level, own);
             for (k = 0; k < g->corners; k++) {
                 n3_vec *sum = &g->node_normal[g->element[i * g->corners + k]];
-                *sum = n3_add(*sum, normal[(i - first) * size + places[k]]);
+                *sum = n3_add(*sum, own[places[k]]);
             }
+        }
     }
 }
 
@@ -255,6 +259,7 @@ void grid_curve(const mesh *m, const surface *s, int kind, unsigned with, grid *
     for (i = 0; i <= s->topology.edges; i++) g->first[i] = m->points + (level - 1) * i;
     n3_mesh_refine(&s->mesh, &s->topology, s->net, level, g->node, NULL, NULL, NULL, g->parent,
                    g->uv);
+    if (s->squares) grid_lay_squares(g, level);
     if (kind == BEZIER) memcpy(g->node, s->net, (size_t)g->nodes * sizeof *g->node);
     for (i = 0; i < g->elements; i++) {
         int n = element_nodes(g, i, node);

@@ -34,6 +34,10 @@ void grid_adapt(const mesh *m, const surface *s, n3_real distance, unsigned with
 void grid_curve(const mesh *m, const surface *s, int kind, unsigned with, grid *g);
 void grid_free(grid *g);
 
+/* Nodes and normals of facets onto Brown's squares, where the surface has some; so many parts for
+   each edge. */
+void grid_lay_squares(grid *g, int level);
+
 /* The mean of the normals at the corners of the facets, for each of count things that they are of;
    where these are one, to the bit. From allocate(). */
 n3_vec *grid_mean_normals(const grid *g, const int *of, int count);

@@ -211,6 +211,8 @@ void surface_free(surface *s)
     free(s->corner);
     free(s->net);
     free(s->flags);
+    free(s->square);
+    free(s->half);
 }
 
 n3_real surface_size(const surface *s)

@@ -70,6 +70,12 @@ const char *product_refuse(const request *r)
     return NULL;
 }
 
+int product_is_exact(const request *r)
+{
+    const format *f = find_format(r->path);
+    return f && !f->write;
+}
+
 /* A node on a sharp edge has no one normal; and a field may have the name. */
 static unsigned wanted(const format *f, const mesh *m, const surface *s)
 {
@@ -85,7 +91,9 @@ static void make_grid(const request *r, const format *f, const mesh *m, const su
     n3_real unit = r->relative ? surface_size(s) : 1;
     int kind = r->kind ? r->kind : f->kinds > FACETS ? CUBIC : FACETS;
     progress("refining", -1, 1);
-    if (r->tolerance > 0)
+    if (r->tolerance > 0 && s->squares)
+        grid_refine(m, s, surface_level(s, r->tolerance * unit), with, g);
+    else if (r->tolerance > 0)
         grid_adapt(m, s, r->tolerance * unit, with, g);
     else if (r->level || kind == FACETS)
         grid_refine(m, s, r->level ? r->level : 4, with, g);
