@@ -59,6 +59,9 @@ join: $(JOIN_TESTS) $(BUILD)/join $(BUILD)/seams  ## two meshes joined by a smoo
 seams: $(BUILD)/seams  ## the README's table of the angles at the seams of joined meshes
 	@$(BUILD)/seams
 
+large: $(BUILD)/smooth $(BUILD)/demo_mesh  ## two million triangles through smooth, in 2 GiB
+	@sh tests/run.sh "sh tests/large_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
+
 fuzz: $(BUILD)/fuzz  ## read broken files of every format under the sanitizers; FILES=n of them
 	@$(BUILD)/fuzz $(FILES)
 
@@ -160,5 +163,5 @@ $(BUILD)/join $(BUILD)/seams $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(B
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown join seams files pictures fuzz ledger dialects mutants bench accuracy \
-        sweep facts golden figures install help clean
+.PHONY: all demo test brown join seams files pictures large fuzz ledger dialects mutants bench \
+        accuracy sweep facts golden figures install help clean
