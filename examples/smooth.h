@@ -31,8 +31,8 @@ typedef struct surface {
     int inferred;    /* corners whose normal is not from the file */
     int squares;     /* Brown's, each over two triangles that follow one another: */
     brown_square *square;
-    int *half; /* of each triangle, 2 * its square, whose corners 0 1 2 it has, or 2 * its square + 1
-                  for 0 2 3; negative: it is a patch. NULL: they all are */
+    int *half; /* of each triangle, 2 * its square, whose corners 0 1 2 it has, or 2 * its square
+                  + 1 for 0 2 3; negative: it is a patch. NULL: they all are */
 } surface;
 
 /* Facets, elements with nodes on the surface, or with control points. */
@@ -67,8 +67,9 @@ void surface_find_quads(const mesh *m, surface *s);
    has made room, square and the control points of their sides in the net. */
 void surface_take_squares(surface *s);
 
-/* The unit normal at the parameters of a triangle. */
+/* The unit normal at the parameters of a triangle; at t along a side of one. */
 n3_vec surface_normal(const surface *s, int triangle, n3_real u, n3_real v);
+n3_vec surface_side_normal(const surface *s, int side, n3_real t);
 
 /* The fewest parts for each edge with which facets are within the distance, as found in the middle
    of each and of its sides. */

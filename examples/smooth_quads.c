@@ -1,4 +1,4 @@
-/* Quads as Brown's squares: which pairs of triangles they were, and what the surface is over them. */
+/* Quads as Brown's squares: which pairs of triangles they were, and the surface over them. */
 #include "smooth_grid.h"
 
 #include <math.h>
@@ -39,6 +39,14 @@ n3_vec surface_normal(const surface *s, int triangle, n3_real u, n3_real v)
     }
     n3_mesh_patches(&s->mesh, &s->topology, s->net, triangle, triangle + 1, &p);
     return n3_patch_normal(&p, u, v);
+}
+
+n3_vec surface_side_normal(const surface *s, int side, n3_real t)
+{
+    n3_real w[3] = {0, 0, 0};
+    w[side % 3] = 1 - t;
+    w[(side + 1) % 3] = t;
+    return surface_normal(s, side / 3, w[1], w[2]);
 }
 
 /* Inside a square, between its two triangles. */
@@ -117,8 +125,7 @@ static n3_vec wanted_normal(const surface *s, int side)
     n3_vertex c[2], d[2];
     if (!n3i_is_regular(&s->mesh, &s->topology, s->topology.edge[side], two)) return n3_v(0, 0, 0);
     back = two[0] + two[1] - side;
-    if (!same_normal(s, side, n3i_after(back)) || !same_normal(s, next, back))
-        return n3_v(0, 0, 0);
+    if (!same_normal(s, side, n3i_after(back)) || !same_normal(s, next, back)) return n3_v(0, 0, 0);
     behind(s, side, c);
     behind(s, back, d);
     return brown_mid_normal(vertex_at(s, side), vertex_at(s, next), c, d);
@@ -218,8 +225,7 @@ static void lay_node(grid *g, int node)
 {
     const surface *s = g->surface;
     int t = g->parent[node];
-    if (square_of(s, t))
-        g->node[node] = surface_point(s, t, g->uv[2 * node], g->uv[2 * node + 1]);
+    if (square_of(s, t)) g->node[node] = surface_point(s, t, g->uv[2 * node], g->uv[2 * node + 1]);
 }
 
 /* Those on the sides of squares are where they should be, on the edges of the net. */
@@ -235,19 +241,10 @@ void grid_lay_squares(grid *g, int level)
         for (j = 0; j <= level; j++)
             for (i = 0; i <= level - j; i++, n++)
                 if (square_of(s, t))
-                    g->normal[n] =
-                        surface_normal(s, t, (n3_real)i / level, (n3_real)j / level);
+                    g->normal[n] = surface_normal(s, t, (n3_real)i / level, (n3_real)j / level);
 }
 
 /* ---- Report ---- */
-
-static n3_vec side_normal(const surface *s, int side, n3_real t)
-{
-    n3_real w[3] = {0, 0, 0};
-    w[side % 3] = 1 - t;
-    w[(side + 1) % 3] = t;
-    return surface_normal(s, side / 3, w[1], w[2]);
-}
 
 static void report_jumps(const surface *s, n3_report *r)
 {
@@ -258,8 +255,8 @@ static void report_jumps(const surface *s, n3_report *r)
     for (e = 0; e < s->topology.edges; e++) {
         int regular = n3i_is_regular(&s->mesh, &s->topology, e, side);
         for (i = 1; i < 4 && regular && !(s->flags[e] & rough) && !is_diagonal(s, e); i++) {
-            n3_vec a = side_normal(s, side[0], (n3_real)i / 4);
-            n3_vec b = side_normal(s, side[1], 1 - (n3_real)i / 4);
+            n3_vec a = surface_side_normal(s, side[0], (n3_real)i / 4);
+            n3_vec b = surface_side_normal(s, side[1], 1 - (n3_real)i / 4);
             n3_real jump = n3_len(n3_sub(a, b));
             if (r->jump_edge >= 0 && !(jump > r->jump)) continue;
             r->jump = jump;
@@ -273,7 +270,8 @@ static void report_distances(const surface *s, n3_report *r)
     int t, i, j;
     for (t = 0; t < s->mesh.triangles; t++) {
         const int *point = s->mesh.triangle + 3 * t;
-        n3_vec a = s->net[point[0]], b = n3_sub(s->net[point[1]], a), c = n3_sub(s->net[point[2]], a);
+        n3_vec a = s->net[point[0]], b = n3_sub(s->net[point[1]], a),
+               c = n3_sub(s->net[point[2]], a);
         n3_vec face = n3_unit(n3_cross(b, c));
         for (j = 0; j <= 6; j++)
             for (i = 0; i <= 6 - j; i++) {

@@ -123,18 +123,19 @@ static void put_curve(surface *s, int side, n3_edge e)
     net[1] = e.p[2];
 }
 
-/* An edge is sharp where the normals in its middle differ. */
+/* An edge is sharp if the normals of its two squares differ at one of its quarters. */
 static void mark_creases(surface *s)
 {
-    const n3_real half = (n3_real)1 / 2;
-    int e, i, two[2];
+    int e, i, k, two[2];
     for (e = 0; e < s->topology.edges; e++) {
-        n3_vec n[2];
+        s->flags[e] &= N3_EDGE_BORDER;
         if (!n3i_is_regular(&s->mesh, &s->topology, e, two)) continue;
-        for (i = 0; i < 2; i++)
-            n[i] = surface_normal(s, two[i] / 3, two[i] % 3 == 2 ? 0 : half,
-                                  two[i] % 3 == 0 ? 0 : half);
-        if (n3_len(n3_cross(n[0], n[1])) > N3_CREASE_LO) s->flags[e] |= N3_EDGE_CREASE;
+        for (k = 1; k < 4; k++) {
+            n3_vec n[2];
+            for (i = 0; i < 2; i++)
+                n[i] = surface_side_normal(s, two[i], (n3_real)(i ? 4 - k : k) / 4);
+            if (n3_len(n3_cross(n[0], n[1])) > N3_CREASE_LO) s->flags[e] |= N3_EDGE_CREASE;
+        }
     }
 }
 
@@ -146,7 +147,6 @@ static void make_surface(const char *path, const brown_lattice *l, const mesh *m
     s->half = allocate((size_t)m->triangles, sizeof *s->half);
     for (t = 0; t < m->triangles; t++) s->half[t] = t;
     surface_take_squares(s);
-    memset(s->flags, 0, (size_t)s->topology.edges * sizeof *s->flags);
     for (t = 0; t < m->triangles; t += 2) {
         brown_square *q = &s->square[t / 2];
         *q = brown_lattice_square(l, t / 2 % (l->columns - 1), t / 2 / (l->columns - 1));

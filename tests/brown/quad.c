@@ -205,8 +205,8 @@ static void tense_side(void)
         memset(&s.across[0], 0, sizeof s.across[0]);
         s.side[2].p[1] = s.side[2].p[0];
         s.side[3].p[1] = s.side[3].p[0];
-        CHECK_VEC(brown_normal(&s, t, 0),
-                  brown_normal(&s, t + way * ((n3_real)1 / 2 - t), way / 2), 20 * way, n);
+        CHECK_VEC(brown_normal(&s, t, 0), brown_normal(&s, t + way * ((n3_real)1 / 2 - t), way / 2),
+                  20 * way, n);
     }
 }
 

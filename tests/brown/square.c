@@ -53,8 +53,8 @@ static dvec loft(const brown_square *s, int first, double t, double w)
     double h0 = 2 * w * w * w - 3 * w * w + 1, h1 = -2 * w * w * w + 3 * w * w;
     double h2 = w * w * w - 2 * w * w + w, h3 = w * w * w - w * w;
     dvec sides = d_mix(h0, d_bezier(&s->side[first], t), h1, d_bezier(&s->side[first + 1], t));
-    return d_add(sides, d_mix(h2, field_at(&s->across[first], t), h3,
-                              field_at(&s->across[first + 1], t)));
+    return d_add(sides,
+                 d_mix(h2, field_at(&s->across[first], t), h3, field_at(&s->across[first + 1], t)));
 }
 
 /* The control points are below 3 in size, cross tangents and remainders below 12, so that a loft is
