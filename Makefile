@@ -11,11 +11,13 @@ EXAMPLES = smooth brown demo_mesh figure7 $(patsubst examples/%.c,%,$(wildcard e
 FIGURES  = facts scale accuracy bench_double bench_float
 PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) $(FIGURES))
 TESTS    = $(addprefix $(BUILD)/,test_double test_float)
-TOOLS    = $(addprefix $(BUILD)/,write_seeds dump)
+TOOLS    = $(addprefix $(BUILD)/,write_seeds dump pictures)
 TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c)) $(wildcard bench/accuracy_m*.c \
            bench/accuracy_surface.c)
 MESH     = $(wildcard examples/mesh*.c)
-SMOOTH   = $(wildcard examples/smooth*.c) $(MESH)
+PICTURE  = $(addprefix examples/,png.c deflate.c colour.c) $(wildcard examples/picture*.c)
+PICTURES = $(wildcard tests/pictures/*.c) $(PICTURE) $(MESH)
+SMOOTH   = $(wildcard examples/smooth*.c) $(PICTURE) $(MESH)
 BROWN    = $(wildcard examples/brown/*.c) $(filter-out examples/smooth.c,$(SMOOTH))
 BROWN_TESTS = $(addprefix $(BUILD)/,brown_double brown_float)
 BROWN_SRC = $(wildcard tests/brown/*.c) tests/check.c tests/samples.c
@@ -43,6 +45,10 @@ brown: $(BROWN_TESTS) $(BUILD)/brown $(BUILD)/smooth  ## Brown's surfaces, the p
 
 files: $(TOOLS) $(BUILD)/smooth  ## every variant of every format that smooth reads
 	@sh tests/run.sh "sh tests/files_test.sh $(BUILD)/smooth $(BUILD)/write_seeds $(BUILD)/dump"
+
+pictures: $(BUILD)/pictures $(BUILD)/smooth $(BUILD)/demo_mesh  ## what smooth draws
+	@sh tests/run.sh $(BUILD)/pictures \
+	    "sh tests/pictures_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
 
 fuzz: $(BUILD)/fuzz  ## read broken files of every format under the sanitizers; FILES=n of them
 	@$(BUILD)/fuzz $(FILES)
@@ -105,6 +111,8 @@ $(BUILD)/test_double $(BUILD)/test_float: $(TEST_SRC)
 	$(COMPILE) -Itests $(TEST_SRC) -lm
 $(BUILD)/smooth: $(SMOOTH)
 	$(COMPILE) $(SMOOTH) -lm
+$(BUILD)/pictures: $(PICTURES)
+	$(COMPILE) -Iexamples $(PICTURES) -lm
 $(BUILD)/brown: $(BROWN)
 	$(COMPILE) $(BROWN) -lm
 $(BROWN_TESTS): $(BROWN_SRC)
@@ -136,5 +144,5 @@ $(PROGRAMS) $(TOOLS) $(TESTS) $(BROWN_TESTS) $(BUILD)/golden_gen $(BUILD)/fuzz: 
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown files fuzz ledger dialects mutants bench accuracy sweep facts golden figures \
-        install help clean
+.PHONY: all demo test brown files pictures fuzz ledger dialects mutants bench accuracy sweep \
+        facts golden figures install help clean

@@ -10,7 +10,8 @@ const char program[] = "smooth";
 const char usage[] =
     "usage: smooth IN -o OUT [-n LEVEL | --tol T[%] | --order 2|3 | --bezier] [--text | --binary]\n"
     "              [--rule paper|arc|fit|nagata|pn|flat] [--quads brown] [--boundary]\n"
-    "              [--crease DEG] [--weld REL] [--report] [--json] [--quiet]\n";
+    "              [--crease DEG] [--weld REL] [--view VIEW] [--size WxH] [--turn DEG]\n"
+    "              [--rise DEG] [--zoom Z] [--up x|y|z] [--report] [--json] [--quiet]\n";
 
 static const char help[] =
     "Lays a smooth surface through the points of a mesh of triangles, tangent to its normals.\n"
@@ -19,7 +20,7 @@ static const char help[] =
     "                 by its name. Without normals in it they are estimated.\n"
     "  -o OUT         .obj .stl .ply: flat triangles again, finer; .vtu .vtk .msh: the same, or\n"
     "                 elements with nodes on the surface; .step: the surface itself, solid where\n"
-    "                 it closes, in millimetres. Not needed with --report.\n"
+    "                 it closes, in millimetres; .png: a picture. Not needed with --report.\n"
     "  --boundary     of a mesh of volumes: the faces that one volume cell has\n"
     "\n"
     "  -n LEVEL       flat triangles, with so many parts per edge, 1 to 1000 (.obj .stl .ply: 4)\n"
@@ -40,6 +41,15 @@ static const char help[] =
     "                 in the file overrule it, OBJ smoothing groups add to it.\n"
     "  --weld REL     join points closer than this part of the bounding box's diagonal. Equal\n"
     "                 points are always joined. (STL: 1e-6, others: 0)\n"
+    "  --view VIEW    of a picture: shaded (this is the default); zebra or isophote, stripes that\n"
+    "                 break where normals jump; mean or gauss, curvature; net, control points;\n"
+    "                 error, the distance from the triangles. By the patches' own normals.\n"
+    "  --size WxH     of a .png, in pixels (800x600)\n"
+    "  --turn DEG, --rise DEG\n"
+    "                 the camera: round the axis that is up and above the ground (30, 20)\n"
+    "  --zoom Z       larger than what fills the picture, or smaller (1)\n"
+    "  --up x|y|z     which axis is up (z)\n"
+    "\n"
     "  --report       say on stdout what was found and done; with --json, as JSON\n"
     "  --quiet        no statistics and no progress on stderr\n"
     "  -h, --help     this text\n"
@@ -80,6 +90,38 @@ static int read_switch(options *o, const char *a)
     return 1;
 }
 
+static void read_size(request *r, const char *option, const char *value)
+{
+    const long most = 16384;
+    char *end;
+    long width = strtol(value, &end, 10), height = *end == 'x' ? strtol(end + 1, &end, 10) : 0;
+    if (*end || width < 16 || height < 16 || width > most || height > most)
+        misuse("%s takes WIDTHxHEIGHT, each from 16 to %ld, not '%s'", option, most, value);
+    r->width = (int)width;
+    r->height = (int)height;
+}
+
+/* What a picture shows, and from where. False if it is none of that. */
+static int read_look(request *r, const char *a, const char *value)
+{
+    static const char *const known[] = {"--view", "--size", "--turn", "--rise", "--zoom", "--up"};
+    size_t i, n = sizeof known / sizeof *known;
+    for (i = 0; i < n && strcmp(a, known[i]); i++) continue;
+    if (i == n) return 0;
+    if (!value) misuse("%s takes a value", a);
+    r->drawn = 1;
+    if (i == 0 && view_find(value) < 0) misuse("there is no view '%s'", value);
+    if (i == 0) r->view = (view)view_find(value);
+    if (i == 1) read_size(r, a, value);
+    if (i == 2) r->camera.turn = (double)option_number(a, value, -360, 360);
+    if (i == 3) r->camera.rise = (double)option_number(a, value, -90, 90);
+    if (i == 4) r->camera.zoom = (double)option_number(a, value, 0.01, 100);
+    if (i == 5 && (strlen(value) != 1 || !strchr("xyz", value[0])))
+        misuse("%s takes x, y or z, not '%s'", a, value);
+    if (i == 5) r->camera.up = value[0];
+    return 1;
+}
+
 static int quads_number(const char *option, const char *value)
 {
     if (strcmp(value, "brown") && strcmp(value, "split"))
@@ -93,7 +135,7 @@ static int read_value(options *o, const char *a, const char *value)
                                         "--weld", "--tol", "--order", "--quads"};
     size_t i, n = sizeof known / sizeof *known;
     for (i = 0; i < n && strcmp(a, known[i]); i++) continue;
-    if (i == n) return 0;
+    if (i == n) return read_look(&o->out, a, value);
     if (!value) misuse("%s takes a value", a);
     if (i == 0) o->out.path = value;
     if (i == 1) o->out.level = option_whole(a, value, 1, 1000);
@@ -120,7 +162,7 @@ static void check_options(const options *o)
 
 static options read_options(int argc, char **argv)
 {
-    options o = {NULL, {NULL, 0, FACETS, 0, 0, -1}, NULL, 0, 0, 0, 0, 0, 50, -1};
+    options o = {NULL, request_plain(), NULL, 0, 0, 0, 0, 0, 50, -1};
     int i;
     o.rule = smooth_rule_find("paper");
     for (i = 1; i < argc; i++) {

@@ -3,6 +3,7 @@
 #define SMOOTH_H
 
 #include "mesh.h"
+#include "picture_scene.h"
 
 #include "brown/brown.h"
 
@@ -45,6 +46,10 @@ typedef struct request {
     n3_real tolerance; /* facets within this distance; */
     int relative;      /* of the bounding box's diagonal */
     int text;          /* or bytes, where the format knows both; negative: by the size */
+    int width, height; /* of a picture */
+    view view;
+    camera camera;
+    int drawn; /* something of a picture was asked for */
 } request;
 
 /* What went into the file; path NULL: nothing did. */

@@ -5,6 +5,13 @@
 #include <stdarg.h>
 #include <stdlib.h>
 
+request request_plain(void)
+{
+    const request plain = {NULL, 0,   FACETS,      0,                0, -1,
+                           800,  600, VIEW_SHADED, {30, 20, 1, 'z'}, 0};
+    return plain;
+}
+
 void misuse(const char *format, ...)
 {
     va_list arguments;

@@ -7,6 +7,9 @@
 /* Defined by each program: the lines that tell its usage. */
 extern const char usage[];
 
+/* What is asked for where no option says otherwise. */
+request request_plain(void);
+
 /* Prints the reason and the usage; ends the program with 2. */
 void misuse(const char *format, ...);
 

@@ -1,5 +1,6 @@
 /* What kind of file, and what goes into it. */
 #include "smooth_grid.h"
+#include "smooth_picture.h"
 
 #include <stdlib.h>
 
@@ -13,18 +14,34 @@ typedef struct format {
     int kinds; /* the highest that it can hold */
     int coding, order;
     unsigned with;
-    void (*write)(output *o, grid *g); /* NULL: STEP */
+    void (*write)(output *o, grid *g);
+    product (*whole)(const request *r, const mesh *m, const surface *s); /* else this */
 } format;
 
+static product write_step(const request *r, const mesh *m, const surface *s)
+{
+    product out = {NULL, "cubic", 0, 0, 0, 0};
+    output *o = output_open(r->path, AS_TEXT);
+    bodies made = surface_write_step(o, r->path, s);
+    output_close(o);
+    (void)m;
+    out.triangles = s->mesh.triangles;
+    out.points = s->mesh.points;
+    out.solids = made.solids;
+    out.sheets = made.sheets;
+    return out;
+}
+
 static const format formats[] = {
-    {".obj", FACETS, TEXT, LITTLE, WITH_CORNER_NORMALS, grid_write_obj},
-    {".stl", FACETS, BYTES, LITTLE, 0, grid_write_stl},
-    {".ply", FACETS, TEXT | BYTES, LITTLE, WITH_CORNER_NORMALS | WITH_FIELDS, grid_write_ply},
-    {".vtu", BEZIER, TEXT | BYTES, LITTLE, WITH_NODE_NORMALS | WITH_FIELDS, grid_write_vtu},
-    {".vtk", BEZIER, TEXT | BYTES, BIG, WITH_NODE_NORMALS | WITH_FIELDS, grid_write_vtk},
-    {".msh", CUBIC, TEXT | BYTES, LITTLE, WITH_FIELDS, grid_write_msh},
-    {".step", BEZIER, TEXT, LITTLE, 0, NULL},
-    {".stp", BEZIER, TEXT, LITTLE, 0, NULL}};
+    {".obj", FACETS, TEXT, LITTLE, WITH_CORNER_NORMALS, grid_write_obj, NULL},
+    {".stl", FACETS, BYTES, LITTLE, 0, grid_write_stl, NULL},
+    {".ply", FACETS, TEXT | BYTES, LITTLE, WITH_CORNER_NORMALS | WITH_FIELDS, grid_write_ply, NULL},
+    {".vtu", BEZIER, TEXT | BYTES, LITTLE, WITH_NODE_NORMALS | WITH_FIELDS, grid_write_vtu, NULL},
+    {".vtk", BEZIER, TEXT | BYTES, BIG, WITH_NODE_NORMALS | WITH_FIELDS, grid_write_vtk, NULL},
+    {".msh", CUBIC, TEXT | BYTES, LITTLE, WITH_FIELDS, grid_write_msh, NULL},
+    {".step", BEZIER, TEXT, LITTLE, 0, NULL, write_step},
+    {".stp", BEZIER, TEXT, LITTLE, 0, NULL, write_step},
+    {".png", BEZIER, BYTES, LITTLE, 0, NULL, write_picture}};
 
 /* NULL for none. */
 static const format *find_format(const char *path)
@@ -35,10 +52,13 @@ static const format *find_format(const char *path)
     return NULL;
 }
 
+static int is_picture(const format *f) { return f->whole && f->whole != write_step; }
+
 const char *product_refuse(const request *r)
 {
     const format *f = find_format(r->path);
-    if (!f) return "is none of .obj .stl .ply .vtu .vtk .msh .step";
+    if (!f) return "is none of .obj .stl .ply .vtu .vtk .msh .step .png";
+    if (r->drawn && !is_picture(f)) return "is no picture";
     if (!f->write && (r->level || r->kind || r->tolerance > 0))
         return "holds the surface itself, not facets or elements";
     if (r->kind > f->kinds)
@@ -69,19 +89,6 @@ static void make_grid(const request *r, const format *f, const mesh *m, const su
         grid_curve(m, s, kind, f->with, g);
 }
 
-static product write_step(const request *r, const surface *s)
-{
-    product out = {NULL, "cubic", 0, 0, 0, 0};
-    output *o = output_open(r->path, AS_TEXT);
-    bodies made = surface_write_step(o, r->path, s);
-    output_close(o);
-    out.triangles = s->mesh.triangles;
-    out.points = s->mesh.points;
-    out.solids = made.solids;
-    out.sheets = made.sheets;
-    return out;
-}
-
 static product write_grid(const request *r, const format *f, const mesh *m, const surface *s)
 {
     static const char *const kinds[] = {"flat", "quadratic", "cubic", "cubic"};
@@ -105,7 +112,7 @@ static product write_grid(const request *r, const format *f, const mesh *m, cons
 product product_write(const request *r, const mesh *m, const surface *s)
 {
     const format *f = find_format(r->path);
-    product out = f->write ? write_grid(r, f, m, s) : write_step(r, s);
+    product out = f->write ? write_grid(r, f, m, s) : f->whole(r, m, s);
     out.path = r->path;
     return out;
 }

@@ -80,7 +80,7 @@ static void read_word(options *o, const char *a)
 
 static options read_options(int argc, char **argv)
 {
-    options o = {NULL, {NULL, 0, FACETS, 0, 0, -1}, 0};
+    options o = {NULL, request_plain(), 0};
     request *r = &o.out;
     int i;
     for (i = 1; i < argc; i++) {
