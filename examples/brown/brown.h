@@ -77,17 +77,19 @@ typedef struct brown_field { n3_edge h, r; } brown_field;
 typedef struct brown_square { n3_edge side[4]; brown_field across[4]; } brown_square;
 
 /* Point at u, v in [0, 1]: (1). On a side it is n3_edge_point of that side, bit for bit. Within
-   16 eps of the largest coordinate and cross tangent, everywhere. 330 flops. */
+   2 eps of the largest coordinate and cross tangent, also 1e-12 from a corner. Costs as much as
+   seven n3_patch_point. */
 NAGATA3_API n3_vec brown_point(const brown_square *s, n3_real u, n3_real v);
 
-/* Point, first and second derivatives; what they are in a corner stands above. Within 40 eps of the
-   size of the square where U = V = 0: tangents that differ by their rounding count as equal. Where
-   they differ, second derivatives grow as 1/distance to the corner. 1200 flops. */
+/* Point, first and second derivatives; what they are in a corner stands above. Within 4 and 25 eps
+   of the largest coordinate and cross tangent, also 1e-12 from a corner, where U = V = 0: tangents
+   that differ by their rounding count as equal. Where they differ by more, second derivatives grow
+   as 1/distance to the corner, and their error with them. Costs as much as a n3_patch_make. */
 NAGATA3_API n3_jet brown_jet(const brown_square *s, n3_real u, n3_real v);
 
 /* Unit normal, along du x dv. Where that vanishes, the limit on the way to the middle, as far as
    second derivatives tell it; failing that the normal a thousandth of the way on; then that of the
-   diagonals; then zero. */
+   diagonals; then zero. Costs as much as the jet. */
 NAGATA3_API n3_vec brown_normal(const brown_square *s, n3_real u, n3_real v);
 
 /* ---- The lattice ---- */
@@ -138,7 +140,8 @@ NAGATA3_API brown_status brown_lattice_check(const brown_lattice *l, int *item);
 NAGATA3_API n3_edge brown_lattice_curve(const brown_lattice *l, int along_v, int j, int i);
 
 /* The square between the columns i and i + 1 and the rows j and j + 1 of a lattice that has been
-   checked: (2)-(9). At the lattice's ends, which have one chord only, it stands for both. */
+   checked: (2)-(9). At the lattice's ends, which have one chord only, it stands for both. Costs as
+   much as three n3_patch_make. */
 NAGATA3_API brown_square brown_lattice_square(const brown_lattice *l, int i, int j);
 
 /* ---- The quad ---- */
@@ -152,7 +155,7 @@ NAGATA3_API brown_square brown_lattice_square(const brown_lattice *l, int i, int
    sides that meet there, and in the middle that of the edge, by the same rule, which joins the
    middles of opposite sides.
    The rule is one of nagata3.h. N3_RULE_ARC wants normals that look outwards; N3_RULE_FIT is the
-   same here. 20 us, 9 of them for the edges. */
+   same here. Costs as much as five n3_patch_make. */
 NAGATA3_API brown_square brown_quad_make(const n3_vertex corner[4], const n3_options *o);
 
 /* The same from edges that are there already, which run round the quad: from 0 to 1 and so on.
@@ -465,55 +468,51 @@ NAGATA3_API n3_jet brown_jet(const brown_square *s, n3_real u, n3_real v)
     return j;
 }
 
-/* The square with x00 in the origin and size 1, so that products neither overflow nor underflow. */
-NAGATA3_API brown_square browni_boxed(const brown_square *s)
+/* The largest of what the square is made of, seen from x00. */
+NAGATA3_API n3_real browni_size(const brown_square *s)
 {
-    brown_square q = *s;
     n3_real size = 0;
     int i, k;
     for (i = 0; i < 4; i++)
         for (k = 0; k < 4; k++) {
-            q.side[i].p[k] = n3_sub(s->side[i].p[k], s->side[0].p[0]);
-            size = n3i_larger(size, n3i_largest(q.side[i].p[k]));
-            size = n3i_larger(size, n3i_largest(q.across[i].h.p[k]));
-            size = n3i_larger(size, n3i_largest(q.across[i].r.p[k]));
+            n3_vec x = n3_sub(s->side[i].p[k], s->side[0].p[0]);
+            size = n3i_larger(size, n3i_largest(x));
+            size = n3i_larger(size, n3i_largest(s->across[i].h.p[k]));
+            size = n3i_larger(size, n3i_largest(s->across[i].r.p[k]));
         }
-    if (!(size > 0)) return q;
-    for (i = 0; i < 4; i++)
-        for (k = 0; k < 4; k++) {
-            q.side[i].p[k] = n3i_over(q.side[i].p[k], size);
-            q.across[i].h.p[k] = n3i_over(q.across[i].h.p[k], size);
-            q.across[i].r.p[k] = n3i_over(q.across[i].r.p[k], size);
-        }
-    return q;
+    return size;
 }
 
-/* du x dv; where it vanishes, the coefficients of the powers of the way to the middle, as far as
-   second derivatives have them. */
-NAGATA3_API n3_vec browni_normal(n3_jet j, n3_real to_u, n3_real to_v)
+/* du x dv of the square made of size 1, so that products neither overflow nor underflow. Where it
+   vanishes, the coefficients of the powers of the way to the middle, as far as second derivatives
+   have them. */
+NAGATA3_API n3_vec browni_normal_at(const brown_square *s, n3_real u, n3_real v, n3_real unit)
 {
-    n3_vec du = n3_add(n3_mul(to_u, j.duu), n3_mul(to_v, j.duv));
-    n3_vec dv = n3_add(n3_mul(to_u, j.duv), n3_mul(to_v, j.dvv));
-    n3_real size = n3_len(j.du) + n3_len(j.dv);
-    n3_vec n = n3i_clear(n3_cross(j.du, j.dv), size);
+    n3_jet j = browni_jet_at(s, browni_place_of(u, v));
+    n3_real to_u = (n3_real)1 / 2 - u, to_v = (n3_real)1 / 2 - v, size;
+    n3_vec Du = n3i_over(j.du, unit), Dv = n3i_over(j.dv, unit), n, du, dv;
+    n3_vec turn = n3i_over(j.duv, unit);
+    size = n3_len(Du) + n3_len(Dv);
+    n = n3i_clear(n3_cross(Du, Dv), size);
+    if (!n3i_is_zero(n)) return n;
+    du = n3_add(n3_mul(to_u, n3i_over(j.duu, unit)), n3_mul(to_v, turn));
+    dv = n3_add(n3_mul(to_u, turn), n3_mul(to_v, n3i_over(j.dvv, unit)));
     size += n3_len(du) + n3_len(dv);
-    if (n3i_is_zero(n))
-        n = n3i_clear(n3_add(n3_cross(du, j.dv), n3_cross(j.du, dv)), size);
-    if (n3i_is_zero(n) && !(n3i_largest(j.du) > N3_NOISE) && !(n3i_largest(j.dv) > N3_NOISE))
+    n = n3i_clear(n3_add(n3_cross(du, Dv), n3_cross(Du, dv)), size);
+    if (n3i_is_zero(n) && !(n3_len(Du) + n3_len(Dv) > N3_NOISE))
         n = n3i_clear(n3_cross(du, dv), size);
     return n;
 }
 
 NAGATA3_API n3_vec brown_normal(const brown_square *s, n3_real u, n3_real v)
 {
-    brown_square q = browni_boxed(s);
-    n3_real to_u = (n3_real)1 / 2 - u, to_v = (n3_real)1 / 2 - v, step = (n3_real)1 / 1024;
-    const n3_edge *side = q.side;
-    n3_vec n = browni_normal(browni_jet_at(&q, browni_place_of(u, v)), to_u, to_v);
-    browni_place on = browni_place_of(u + step * to_u, v + step * to_v);
-    if (n3i_is_zero(n)) n = browni_normal(browni_jet_at(&q, on), to_u, to_v);
-    if (n3i_is_zero(n))
-        n = n3i_clear(n3_cross(side[1].p[3], n3_sub(side[1].p[0], side[0].p[3])), 1);
+    n3_real half = (n3_real)1 / 2, step = (n3_real)1 / 1024, size = browni_size(s);
+    n3_vec n, d0 = n3_sub(s->side[1].p[3], s->side[0].p[0]);
+    n3_vec d1 = n3_sub(s->side[1].p[0], s->side[0].p[3]);
+    if (!(size > 0)) return n3_cross(d0, d1); /* zero, or NaN */
+    n = browni_normal_at(s, u, v, size);
+    if (n3i_is_zero(n)) n = browni_normal_at(s, u + step * (half - u), v + step * (half - v), size);
+    if (n3i_is_zero(n)) n = n3i_clear(n3_cross(n3i_over(d0, size), n3i_over(d1, size)), 1);
     return n;
 }
 
