@@ -72,9 +72,14 @@ void surface_find_quads(const mesh *m, surface *s);
    has made room, square and the control points of their sides in the net. */
 void surface_take_squares(surface *s);
 
-/* The unit normal at the parameters of a triangle; at t along a side of one. */
+/* The point and the unit normal at the parameters of a triangle; at t along a side of one. */
+n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v);
 n3_vec surface_normal(const surface *s, int triangle, n3_real u, n3_real v);
 n3_vec surface_side_normal(const surface *s, int side, n3_real t);
+
+/* The corners of the i-th part of the row j of a triangle that is cut along its sides: how many
+   parts they are from its first corner, in u and in v. */
+void facet_places(int i, int j, int at[3][2]);
 
 /* The fewest parts for each edge with which facets are within the distance, as found in the middle
    of each and of its sides. */

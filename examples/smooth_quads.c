@@ -19,7 +19,7 @@ static void to_square(const surface *s, int triangle, n3_real *u, n3_real *v)
     *(s->half[triangle] % 2 ? v : u) = sum;
 }
 
-static n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v)
+n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v)
 {
     n3_patch p;
     if (square_of(s, triangle)) {
@@ -164,6 +164,15 @@ void surface_find_quads(const mesh *m, surface *s)
 
 /* ---- Facets ---- */
 
+void facet_places(int i, int j, int at[3][2])
+{
+    int down = i % 2, u = (i + 1) / 2, v = j + down, side = down ? -1 : 1;
+    at[0][0] = at[2][0] = u;
+    at[0][1] = at[1][1] = v;
+    at[1][0] = u + side;
+    at[2][1] = v + side;
+}
+
 /* The largest distance from a facet's middle and its sides' to where the surface has them; a facet
    is the n-th part of a triangle along its sides, up or down. */
 static n3_real facet_distance(const surface *s, int triangle, const int at[3][2], int n)
@@ -195,12 +204,9 @@ static n3_real level_distance(const surface *s, int n)
     for (t = 0; t < s->mesh.triangles; t++)
         for (j = 0; j < n; j++)
             for (i = 0; i < 2 * (n - j) - 1; i++) {
-                int k = (i + 1) / 2, down = i % 2, side = down ? -1 : 1, at[3][2];
+                int at[3][2];
                 n3_real d;
-                at[0][0] = at[2][0] = k;
-                at[0][1] = at[1][1] = j + down;
-                at[1][0] = k + side;
-                at[2][1] = j + down + side;
+                facet_places(i, j, at);
                 d = facet_distance(s, t, (const int(*)[2])at, n);
                 most = d > most ? d : most;
             }

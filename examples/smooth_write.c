@@ -71,7 +71,7 @@ const char *product_refuse(const request *r)
 int product_is_exact(const request *r)
 {
     const format *f = find_format(r->path);
-    return f && !f->write;
+    return f && f->whole == write_step;
 }
 
 static void make_grid(const request *r, const format *f, const mesh *m, const surface *s, grid *g)
