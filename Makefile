@@ -21,6 +21,9 @@ SMOOTH   = $(wildcard examples/smooth*.c) $(PICTURE) $(MESH)
 BROWN    = $(wildcard examples/brown/*.c) $(filter-out examples/smooth.c,$(SMOOTH))
 BROWN_TESTS = $(addprefix $(BUILD)/,brown_double brown_float)
 BROWN_SRC = $(wildcard tests/brown/*.c) tests/check.c tests/samples.c
+JOIN     = examples/join/join.c $(filter-out examples/smooth.c,$(SMOOTH))
+JOIN_TESTS = $(addprefix $(BUILD)/,join_double join_float)
+JOIN_SRC = $(wildcard tests/join/*.c) tests/check.c tests/shapes.c examples/join/inputs.c
 SEEDS    = $(addprefix tests/fuzz/,mutate.c seeds.c)
 FUZZ     = tests/fuzz/sandbox.c $(filter-out examples/mesh_file.c,$(MESH))
 SANITIZE = -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
@@ -49,6 +52,12 @@ files: $(TOOLS) $(BUILD)/smooth  ## every variant of every format that smooth re
 pictures: $(BUILD)/pictures $(BUILD)/smooth $(BUILD)/demo_mesh  ## what smooth draws
 	@sh tests/run.sh $(BUILD)/pictures \
 	    "sh tests/pictures_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
+
+join: $(JOIN_TESTS) $(BUILD)/join $(BUILD)/seams  ## two meshes joined by a smooth bridge
+	@sh tests/run.sh $(JOIN_TESTS) "sh tests/join/join_test.sh $(BUILD)/join $(BUILD)/seams"
+
+seams: $(BUILD)/seams  ## the README's table of the angles at the seams of joined meshes
+	@$(BUILD)/seams
 
 fuzz: $(BUILD)/fuzz  ## read broken files of every format under the sanitizers; FILES=n of them
 	@$(BUILD)/fuzz $(FILES)
@@ -117,6 +126,12 @@ $(BUILD)/brown: $(BROWN)
 	$(COMPILE) $(BROWN) -lm
 $(BROWN_TESTS): $(BROWN_SRC)
 	$(COMPILE) -Itests -Iexamples/brown $(BROWN_SRC) -lm
+$(BUILD)/join: $(JOIN)
+	$(COMPILE) -Iexamples $(JOIN) -lm
+$(BUILD)/seams: examples/join/seams.c examples/join/inputs.c
+	$(COMPILE) $(filter %.c,$^) -lm
+$(JOIN_TESTS): $(JOIN_SRC)
+	$(COMPILE) -Itests -Iexamples/join $(JOIN_SRC) -lm
 $(BUILD)/accuracy: $(ACCURACY)
 	$(COMPILE) $(ACCURACY) -lm
 $(BUILD)/dump: tests/fuzz/dump.c $(MESH)
@@ -140,9 +155,10 @@ $(BUILD)/%.svg: $(BUILD)/%
 
 $(BUILD)/%_float: CPPFLAGS += -DNAGATA3_FLOAT
 $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compiles in half the time
-$(PROGRAMS) $(TOOLS) $(TESTS) $(BROWN_TESTS) $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(BUILD)
+$(PROGRAMS) $(TOOLS) $(TESTS) $(BROWN_TESTS) $(JOIN_TESTS): $(HEADERS) | $(BUILD)
+$(BUILD)/join $(BUILD)/seams $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(BUILD)
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown files pictures fuzz ledger dialects mutants bench accuracy sweep \
-        facts golden figures install help clean
+.PHONY: all demo test brown join seams files pictures fuzz ledger dialects mutants bench accuracy \
+        sweep facts golden figures install help clean
