@@ -78,6 +78,9 @@ bench: $(BUILD)/bench_double $(BUILD)/bench_float $(BUILD)/scale  ## what calls 
 accuracy: $(BUILD)/accuracy  ## how far from surfaces that are known exactly
 	@$(BUILD)/accuracy $(SURFACES)
 
+quads: $(BUILD)/accuracy  ## Brown's squares over quads, against two triangles for each
+	@$(BUILD)/accuracy --quads
+
 sweep: $(BUILD)/accuracy  ## the constants that the paper leaves open, over the same surfaces
 	@$(BUILD)/accuracy --sweep
 
@@ -160,5 +163,5 @@ $(BUILD)/join $(BUILD)/seams $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(B
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown join seams files pictures fuzz ledger dialects mutants bench accuracy \
+.PHONY: all demo test brown quads join seams files pictures fuzz ledger dialects mutants bench accuracy \
         sweep facts golden figures install help clean

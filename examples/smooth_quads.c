@@ -77,79 +77,11 @@ static int is_quad(const mesh *m, const surface *s, int t)
     return a[0] == b[0] && a[2] == b[1] && a[1] != b[2] && n[0] == n[3] && n[2] == n[4];
 }
 
-static n3_vertex vertex_at(const surface *s, int corner)
-{
-    n3_vertex v;
-    v.x = s->net[s->mesh.triangle[corner]];
-    v.n = s->normal[s->corner[corner]];
-    return v;
-}
-
-/* The corners of the quad of the triangles t and t + 1, and the side of theirs behind each. */
-static int quad_corner(int t, int k) { return 3 * t + (k < 3 ? k : 5); }
-
-static int quad_side(int t, int k) { return 3 * t + (k < 2 ? k : k + 2); }
-
-/* The curve from a triangle's corner along its side. */
-static n3_edge side_curve(const surface *s, int side)
-{
-    n3_edge e = surface_edge(s, s->topology.edge[side]);
-    return s->mesh.triangle[side] < s->mesh.triangle[n3i_after(side)] ? e : n3_edge_reverse(&e);
-}
-
-static int same_normal(const surface *s, int a, int b)
-{
-    n3_vec d = n3_sub(s->normal[s->corner[a]], s->normal[s->corner[b]]);
-    return n3_dot(d, d) <= 0;
-}
-
-/* The other two points, seen from the side of a triangle: of its quad, or twice its third one. */
-static void behind(const surface *s, int side, n3_vertex other[2])
-{
-    int t = side / 3, k = side % 3, half = s->half[t];
-    if (half < 0) {
-        other[0] = other[1] = vertex_at(s, 3 * t + (k + 2) % 3);
-        return;
-    }
-    k += half % 2;
-    t -= half % 2;
-    other[0] = vertex_at(s, quad_corner(t, (k + 2) % 4));
-    other[1] = vertex_at(s, quad_corner(t, (k + 3) % 4));
-}
-
-/* The normal to want in the middle of a side, by the rule 'fit'; zero where the faces there do not
-   agree. */
-static n3_vec wanted_normal(const surface *s, int side)
-{
-    int two[2], next = n3i_after(side), back;
-    n3_vertex c[2], d[2];
-    if (!n3i_is_regular(&s->mesh, &s->topology, s->topology.edge[side], two)) return n3_v(0, 0, 0);
-    back = two[0] + two[1] - side;
-    if (!same_normal(s, side, n3i_after(back)) || !same_normal(s, next, back)) return n3_v(0, 0, 0);
-    behind(s, side, c);
-    behind(s, back, d);
-    return brown_mid_normal(vertex_at(s, side), vertex_at(s, next), c, d);
-}
-
-static brown_square quad_square(const surface *s, int t)
-{
-    n3_options o = {0, 0, 0};
-    n3_vertex corner[4];
-    n3_edge edge[4];
-    n3_vec mid[4];
-    int k;
-    o.rule = s->rule->rule;
-    for (k = 0; k < 4; k++) {
-        corner[k] = vertex_at(s, quad_corner(t, k));
-        edge[k] = side_curve(s, quad_side(t, k));
-        mid[k] = o.rule == N3_RULE_FIT ? wanted_normal(s, quad_side(t, k)) : n3_v(0, 0, 0);
-    }
-    return brown_quad_from_edges(corner, edge, mid, &o);
-}
-
 void surface_find_quads(const mesh *m, surface *s)
 {
+    n3_options o = {0, 0, 0};
     int t;
+    o.rule = s->rule->rule;
     s->half = allocate((size_t)m->triangles, sizeof *s->half);
     for (t = 0; t < m->triangles; t++) s->half[t] = -1;
     for (t = 0; t < m->triangles; t++) {
@@ -159,7 +91,9 @@ void surface_find_quads(const mesh *m, surface *s)
     }
     surface_take_squares(s);
     for (t = 0; t < m->triangles; t++)
-        if (s->half[t] >= 0 && s->half[t] % 2 == 0) s->square[s->half[t] / 2] = quad_square(s, t);
+        if (s->half[t] >= 0 && s->half[t] % 2 == 0)
+            s->square[s->half[t] / 2] =
+                brown_mesh_square(&s->mesh, &s->topology, s->net, s->half, t, &o);
 }
 
 /* ---- Facets ---- */

@@ -149,8 +149,9 @@ NAGATA3_API brown_square brown_lattice_square(const brown_lattice *l, int i, int
 /* Ours, after [3]: the square over the quad of four vertices, x00, x10, x11, x01, its sides edges
    of nagata3.h. Along each side the tangent planes follow from this side and the normals at its ends
    alone: two quads that share them have the same planes all along, and the normals do not jump.
-   The planes are spanned by the side's derivative D(t) and by S(t), which runs linearly from
-   n0 x t0 to n1 x t1, the normals times the side's unit tangents. The cross tangents are
+   The planes are spanned by the side's derivative D(t) and by S(t), a quadratic from n0 x t0 to
+   n1 x t1, the normals times the side's unit tangents; in the middle it has their mean length and
+   is square to the side and to n0 + n1. The cross tangents are
    l(t) D(t) + m(t) S(t) with quadratics l and m, such that at the ends they are the tangents of the
    sides that meet there, and in the middle that of the edge, by the same rule, which joins the
    middles of opposite sides.
@@ -159,9 +160,9 @@ NAGATA3_API brown_square brown_lattice_square(const brown_lattice *l, int i, int
 NAGATA3_API brown_square brown_quad_make(const n3_vertex corner[4], const n3_options *o);
 
 /* The same from edges that are there already, which run round the quad: from 0 to 1 and so on.
-   mid: a normal to want in the middle of each, of any length; zero, or mid NULL: as above. S(t) is
-   then quadratic. A zero normal at a corner is replaced by that at the other end of each edge;
-   where both are, the cross tangents are linear. */
+   mid: a normal to want in the middle of each in place of n0 + n1, of any length; zero, or mid NULL:
+   none. A zero normal at a corner is replaced by that at the other end of each edge; where both
+   are, the cross tangents are linear. */
 NAGATA3_API brown_square brown_quad_from_edges(const n3_vertex corner[4], const n3_edge edge[4],
                                                const n3_vec mid[4], const n3_options *o);
 
@@ -170,6 +171,16 @@ NAGATA3_API brown_square brown_quad_from_edges(const n3_vertex corner[4], const 
    fourth order in position, and third in normals, on smooth surfaces. */
 NAGATA3_API n3_vec brown_mid_normal(n3_vertex a, n3_vertex b, const n3_vertex c[2],
                                     const n3_vertex d[2]);
+
+/* The square over a quad of a mesh: over its triangles f and f + 1, which have the corners 0 1 2 and
+   0 2 3 of it, between the edges of its net. half: of each triangle 2 q or 2 q + 1, as it is the
+   first or the second of the quad q; negative: it is a triangle. By N3_RULE_FIT the normals in the
+   middle of the sides are fitted over what meets there, brown_mid_normal, where two faces do that
+   agree on the normals at the ends; a triangle counts as a quad with its third corner twice.
+   The topology and the net are the mesh's; the triangles have an edge on every side. */
+NAGATA3_API brown_square brown_mesh_square(const n3_mesh *m, const n3_topology *t,
+                                           const n3_vec *net, const int *half, int f,
+                                           const n3_options *o);
 
 /* ---- Definitions: the square ---- */
 
@@ -729,19 +740,22 @@ NAGATA3_API n3_vec browni_middle(const n3_vec q[3])
     return n3i_mix((n3_real)1 / 4, q[0], (n3_real)1 / 2, q[1], (n3_real)1 / 4, q[2]);
 }
 
-/* S(t) runs from n0 x t0 to n1 x t1, linearly unless a normal is wanted in the middle; there it has
-   the same length, and the direction across the side and that normal. S is zero where there is
-   none at an end. */
-NAGATA3_API browni_frame browni_frame_of(const n3_edge *e, n3_vec n0, n3_vec n1, n3_vec mid)
+/* S(t) runs from n0 x t0 to n1 x t1; in the middle it has the mean length and stands across the
+   side and the normal that is wanted there. S is zero where there is none at an end. The paper's
+   rule takes normals that look to either side: n1 is turned as its plane Pi turns it. */
+NAGATA3_API browni_frame browni_frame_of(const n3_edge *e, n3_vec n0, n3_vec n1, n3_vec mid,
+                                         const n3_options *o)
 {
     browni_frame f;
-    n3_vec t0, t1, t;
-    int k;
+    n3_vec t0, t1, t, chord = n3_unit(n3_sub(e->p[3], e->p[0]));
+    int k, turned = n3_dot(n3_cross(chord, n0), n3_cross(chord, n1)) < 0 && !n3i_is_arc(o);
     for (k = 0; k < 3; k++) f.D[k] = n3_mul(3, n3_sub(e->p[k + 1], e->p[k]));
     t0 = n3_unit(f.D[0]);
     t1 = n3_unit(f.D[2]);
     if (n3i_is_zero(n0)) n0 = n3i_across(n1, t0);
     if (n3i_is_zero(n1)) n1 = n3i_across(n0, t1);
+    if (turned) n1 = n3i_neg(n1);
+    if (n3i_is_zero(mid)) mid = n3_add(n0, n1);
     f.S[0] = n3_cross(n0, t0);
     f.S[2] = n3_cross(n1, t1);
     f.S[1] = n3_mul((n3_real)1 / 2, n3_add(f.S[0], f.S[2]));
@@ -821,7 +835,7 @@ NAGATA3_API brown_square brown_quad_from_edges(const n3_vertex corner[4], const 
     s.side[3] = edge[1];
     for (k = 0; k < 4; k++)
         f[k] = browni_frame_of(&s.side[k], corner[end[k][0]].n, corner[end[k][1]].n,
-                               mid ? mid[round[k]] : n3_v(0, 0, 0));
+                               mid ? mid[round[k]] : n3_v(0, 0, 0), o);
     for (k = 0; k < 4; k++) {
         const n3_edge *cross = &s.side[k < 2 ? 2 : 0];
         int first = k / 2 * 2, at = 2 * (k % 2);
@@ -847,6 +861,71 @@ NAGATA3_API n3_vec brown_mid_normal(n3_vertex a, n3_vertex b, const n3_vertex c[
                                     const n3_vertex d[2])
 {
     return n3_add(n3_edge_mid_normal(a, b, c[0], d[0]), n3_edge_mid_normal(a, b, c[1], d[1]));
+}
+
+/* Corner k of the quad of the triangles f and f + 1, as one of theirs. */
+NAGATA3_API int browni_corner(int f, int k) { return 3 * f + (k < 3 ? k : 5); }
+
+NAGATA3_API n3_vertex browni_vertex(const n3_mesh *m, int corner)
+{
+    n3_vertex v;
+    v.x = n3i_point(m, n3i_at(m, corner));
+    v.n = n3i_corner_normal(m, corner);
+    return v;
+}
+
+/* The two points behind a side of a triangle, the one next to its end first: those of its quad, or
+   twice the triangle's. */
+NAGATA3_API void browni_behind(const n3_mesh *m, const int *half, int side, n3_vertex out[2])
+{
+    int f = side / 3, k = side % 3;
+    if (half[f] < 0) {
+        out[0] = out[1] = browni_vertex(m, 3 * f + (k + 2) % 3);
+        return;
+    }
+    k += half[f] % 2; /* the sides of 0 2 3 are the quad's second diagonal, third and fourth */
+    f -= half[f] % 2;
+    out[0] = browni_vertex(m, browni_corner(f, (k + 2) % 4));
+    out[1] = browni_vertex(m, browni_corner(f, (k + 3) % 4));
+}
+
+/* Zero where the faces at the side do not agree. */
+NAGATA3_API n3_vec browni_wanted(const n3_mesh *m, const n3_topology *t, const int *half, int side)
+{
+    int two[2], back;
+    n3_vertex a = browni_vertex(m, side), b = browni_vertex(m, n3i_after(side)), c[2], d[2];
+    n3_vec turn_a, turn_b;
+    if (!n3i_is_regular(m, t, t->edge[side], two)) return n3_v(0, 0, 0);
+    back = two[0] + two[1] - side;
+    turn_a = n3_sub(n3i_corner_normal(m, n3i_after(back)), a.n);
+    turn_b = n3_sub(n3i_corner_normal(m, back), b.n);
+    if (!n3i_is_zero(turn_a) || !n3i_is_zero(turn_b)) return n3_v(0, 0, 0);
+    browni_behind(m, half, side, c);
+    browni_behind(m, half, back, d);
+    return brown_mid_normal(a, b, c, d);
+}
+
+NAGATA3_API brown_square brown_mesh_square(const n3_mesh *m, const n3_topology *t,
+                                           const n3_vec *net, const int *half, int f,
+                                           const n3_options *o)
+{
+    static const int triangle_side[4] = {0, 1, 4, 5};
+    n3_vertex corner[4];
+    n3_vec mid[4];
+    n3_edge e[6], edge[4];
+    int i;
+    for (i = 0; i < 2; i++) {
+        n3_patch p = n3i_mesh_patch(m, t, net, f + i);
+        n3_patch_edges(&p, e + 3 * i);
+    }
+    for (i = 0; i < 4; i++) {
+        int side = triangle_side[i];
+        corner[i] = browni_vertex(m, browni_corner(f, i));
+        edge[i] = e[side];
+        mid[i] = n3_v(0, 0, 0);
+        if (o && o->rule == N3_RULE_FIT) mid[i] = browni_wanted(m, t, half, 3 * f + side);
+    }
+    return brown_quad_from_edges(corner, edge, mid, o);
 }
 
 #ifdef __cplusplus

@@ -144,6 +144,27 @@ static void scaled(void)
     }
 }
 
+/* The paper's rule takes normals that look to either side: the same edges, and tangents that differ
+ * by roundings, of which the longest chain has 30. */
+static void either_side(void)
+{
+    rng r = {26};
+    long n, count = sample_count(SAMPLES);
+    for (n = 0; n < count; n++) {
+        n3_vertex v[6], corner[4];
+        brown_square s, t;
+        n3_real u = dyadic(&r, 0, 1), w = dyadic(&r, 0, 1);
+        int flipped = (int)(n % 4);
+        draw_two(&r, v);
+        quad_of(v, 0, corner);
+        s = brown_quad_make(corner, NULL);
+        corner[flipped].n = n3_mul(-1, corner[flipped].n);
+        t = brown_quad_make(corner, NULL);
+        CHECK_VEC(brown_point(&t, u, w), brown_point(&s, u, w), 3 * 30 * EPS, n);
+        CHECK_SAME(brown_point(&t, u, 0), brown_point(&s, u, 0), n);
+    }
+}
+
 /* Whatever comes in, finite answers come out, and normals are unit or zero. */
 static void degenerate(void)
 {
@@ -214,6 +235,7 @@ const test_case tests_quad[] = {{"brown_normals_do_not_jump", normals_do_not_jum
                                 {"brown_sides_are_edges", sides_are_edges},
                                 {"brown_flat", flat},
                                 {"brown_scaled", scaled},
+                                {"brown_either_side", either_side},
                                 {"brown_degenerate", degenerate},
                                 {"brown_collapsed_side", collapsed_side},
                                 {"brown_tense_side", tense_side},
