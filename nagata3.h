@@ -4073,7 +4073,7 @@ NAGATA3_API void n3i_cut_row(const n3_real x[10], n3_real a[10], n3_real b[10])
 }
 
 /* Replaces the top of the stack, of which c is a copy, by the halves of c; rows of the net. */
-NAGATA3_API void n3i_cut(n3i_stack *stack, const n3i_cell *c, int rows)
+NAGATA3_API void n3i_cell_cut(n3i_stack *stack, const n3i_cell *c, int rows)
 {
     n3i_cell *a = &stack->cell[stack->count], *b = a + 1;
     int k;
@@ -4112,7 +4112,7 @@ NAGATA3_API n3_real n3i_ridge(const n3_real x[10], n3_real gap)
         n3_real high = n3i_highest(c.x[0], 0, 10);
         found = n3i_larger(found, n3i_highest(c.x[0], 0, 3));
         if (high > found + gap && c.cuts < N3I_CUTS && ++looked < N3I_CELLS) {
-            n3i_cut(&stack, &c, 1);
+            n3i_cell_cut(&stack, &c, 1);
             continue;
         }
         bound = n3i_larger(bound, high);
@@ -4728,7 +4728,7 @@ NAGATA3_API n3_foot n3_patch_nearest(const n3_patch *p, n3_vec q)
     n3i_improve(&root, w, &best);
     while (stack.count > 0 && looked++ < 4 * N3I_CELLS) {
         n3i_cell c = stack.cell[--stack.count];
-        if (n3i_look2(&c, &best)) n3i_cut(&stack, &c, 3);
+        if (n3i_look2(&c, &best)) n3i_cell_cut(&stack, &c, 3);
     }
     for (i = 0; i < 3; i++) w[i] = sum - sum <= 0 ? best.w[i] : sum - sum;
     n3i_settle(p, q, w);
@@ -5009,7 +5009,7 @@ NAGATA3_API int n3_patch_hits(const n3_patch *p, n3_vec from, n3_vec along, n3_r
         simple = n3i_is_simple(&c, size);
         if (winding == 0 && simple) continue;
         if (may_cut && !(simple && winding * winding == 1 && n3i_zero(&c, size, w))) {
-            n3i_cut(&stack, &c, 2);
+            n3i_cell_cut(&stack, &c, 2);
             continue;
         }
         if (!may_cut) n3i_zero(&c, size, w);
@@ -5053,7 +5053,7 @@ NAGATA3_API int n3_patch_folds(const n3_patch *p, n3_vec direction, int budget)
             for (j = 0; i + j < 5; j += 4)
                 if (back ? !(det[i][j] < 0) : !(det[i][j] > 0)) return N3_YES;
         if (c.cuts == N3I_CUTS || --budget <= 0) return N3_UNDECIDED;
-        n3i_cut(&stack, &c, 2);
+        n3i_cell_cut(&stack, &c, 2);
     }
     return N3_NO;
 }
@@ -5157,7 +5157,7 @@ NAGATA3_API n3i_sum n3i_area_to(n3i_stack *stack, n3_real tolerance)
         int k = stack->count;
         n3i_sum whole = sum[k], halves;
         n3_real off;
-        n3i_cut(stack, &c, 3);
+        n3i_cell_cut(stack, &c, 3);
         sum[k] = n3i_area_of(&stack->cell[k]);
         sum[k + 1] = n3i_area_of(&stack->cell[k + 1]);
         halves = n3i_sum_add(sum[k], sum[k + 1]);
