@@ -70,7 +70,11 @@ static figures measure_squares(const surface *s, const model *m, const brown_squ
 
 static void print_figures(const figures *r)
 {
-    printf(" %.1e / %.2g / %.1g |", r->distance, r->angle, r->jump);
+    printf(" %.1e / %.2g / ", r->distance, r->angle);
+    if (r->jump < 1e-9)
+        printf("below 1e-9 |");
+    else
+        printf("%.1g |", r->jump);
 }
 
 static long print_row(const surface *s, int irregular)
