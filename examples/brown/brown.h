@@ -88,8 +88,8 @@ NAGATA3_API n3_vec brown_point(const brown_square *s, n3_real u, n3_real v);
 NAGATA3_API n3_jet brown_jet(const brown_square *s, n3_real u, n3_real v);
 
 /* Unit normal, along du x dv. Where that vanishes, the limit on the way to the middle, as far as
-   second derivatives tell it; failing that the normal a thousandth of the way on; then that of the
-   diagonals; then zero. Costs as much as the jet. */
+   second derivatives tell it; failing that the normal 2^-17 (float: 2^-8) of the way on; then zero.
+   Costs as much as the jet. */
 NAGATA3_API n3_vec brown_normal(const brown_square *s, n3_real u, n3_real v);
 
 /* ---- The lattice ---- */
@@ -285,7 +285,6 @@ NAGATA3_API n3_vec browni_loft_point(const brown_square *s, int family, n3_real 
 /* Where a place lies: a and b over s, the larger of them, and their derivatives. */
 typedef struct browni_place { n3_real u, v, s, a, b, a1, b1; } browni_place;
 
-/* A corner counts as seen from the middle. */
 NAGATA3_API browni_place browni_place_of(n3_real u, n3_real v)
 {
     browni_place p;
@@ -293,7 +292,7 @@ NAGATA3_API browni_place browni_place_of(n3_real u, n3_real v)
     p.u = u;
     p.v = v;
     p.s = n3i_larger(n3i_abs(a), n3i_abs(b));
-    p.a = p.s > 0 ? a / p.s : 1;
+    p.a = p.s > 0 ? a / p.s : 1; /* in a corner both lofts are the corner */
     p.b = p.s > 0 ? b / p.s : 1;
     p.a1 = 1 - 2 * u;
     p.b1 = 1 - 2 * v;
@@ -390,7 +389,7 @@ NAGATA3_API int browni_tangents_differ(const brown_square *s, int family, n3_rea
     return size > 0;
 }
 
-/* The scale below which U and V are left out: there a place counts as the corner. */
+/* The scale up to which a place counts as the corner. */
 #define BROWNI_CORNER (N3_EPS * N3_EPS * N3_EPS * N3_EPS)
 
 /* a U + a b E of family 0, or the same of family 1, with its scale; E and U here are the family's
@@ -402,7 +401,7 @@ NAGATA3_API n3_jet browni_part(const brown_square *s, int family, browni_place p
     n3_real a = family ? p.b : p.a, b = family ? p.a : p.b;
     n3_jet D, g;
     memset(&D, 0, sizeof D);
-    if (p.s > BROWNI_CORNER && browni_tangents_differ(s, family, u, v, &g)) {
+    if (browni_tangents_differ(s, family, u, v, &g)) {
         f.x = a / p.s;
         f.du = a1 / p.s;
         f.duu = -2;
@@ -445,7 +444,6 @@ NAGATA3_API n3_jet browni_jet_mix(n3_real r, n3_jet a, n3_real s, n3_jet b)
     return a;
 }
 
-/* The jet at a place; in a corner, its limit on the way to the middle. */
 NAGATA3_API n3_jet browni_jet_at(const brown_square *s, browni_place p)
 {
     n3_jet A = browni_loft(s, 1, p.v, p.u), B = browni_loft(s, 0, p.u, p.v), D, K, j;
@@ -460,23 +458,28 @@ NAGATA3_API n3_jet browni_jet_at(const brown_square *s, browni_place p)
     return j;
 }
 
-NAGATA3_API n3_jet brown_jet(const brown_square *s, n3_real u, n3_real v)
+/* What the two sides say that meet in the corner. */
+NAGATA3_API n3_jet browni_corner_jet(const brown_square *s, n3_real u, n3_real v)
 {
-    browni_place p = browni_place_of(u, v);
-    n3_jet j = browni_jet_at(s, p);
-    n3_curve_jet along_u, along_v, twist_u, twist_v;
     int at_u = u > (n3_real)1 / 2, at_v = v > (n3_real)1 / 2;
-    if (!(p.s <= BROWNI_CORNER)) return j;
-    along_u = n3_edge_jet(&s->side[at_v], u);
-    along_v = n3_edge_jet(&s->side[2 + at_u], v);
-    twist_u = browni_field_jet(&s->across[at_v], u);
-    twist_v = browni_field_jet(&s->across[2 + at_u], v);
+    n3_curve_jet along_u = n3_edge_jet(&s->side[at_v], u);
+    n3_curve_jet along_v = n3_edge_jet(&s->side[2 + at_u], v);
+    n3_vec twist_u = browni_field_jet(&s->across[at_v], u).dt;
+    n3_vec twist_v = browni_field_jet(&s->across[2 + at_u], v).dt;
+    n3_jet j;
+    j.x = brown_point(s, u, v);
     j.du = along_u.dt;
     j.dv = along_v.dt;
     j.duu = along_u.dtt;
     j.dvv = along_v.dtt;
-    j.duv = n3_mul((n3_real)1 / 2, n3_add(twist_u.dt, twist_v.dt));
+    j.duv = n3_mul((n3_real)1 / 2, n3_add(twist_u, twist_v));
     return j;
+}
+
+NAGATA3_API n3_jet brown_jet(const brown_square *s, n3_real u, n3_real v)
+{
+    browni_place p = browni_place_of(u, v);
+    return p.s <= BROWNI_CORNER ? browni_corner_jet(s, u, v) : browni_jet_at(s, p);
 }
 
 /* The largest of what the square is made of, seen from x00. */
@@ -497,33 +500,37 @@ NAGATA3_API n3_real browni_size(const brown_square *s)
 /* du x dv of the square made of size 1, so that products neither overflow nor underflow. Where it
    vanishes, the coefficients of the powers of the way to the middle, as far as second derivatives
    have them. */
-NAGATA3_API n3_vec browni_normal_at(const brown_square *s, n3_real u, n3_real v, n3_real unit)
+NAGATA3_API n3_vec browni_normal_at(n3_jet j, n3_real unit, n3_real to_u, n3_real to_v)
 {
-    n3_jet j = browni_jet_at(s, browni_place_of(u, v));
-    n3_real to_u = (n3_real)1 / 2 - u, to_v = (n3_real)1 / 2 - v, size;
-    n3_vec Du = n3i_over(j.du, unit), Dv = n3i_over(j.dv, unit), n, du, dv;
-    n3_vec turn = n3i_over(j.duv, unit);
-    size = n3_len(Du) + n3_len(Dv);
-    n = n3i_clear(n3_cross(Du, Dv), size);
+    n3_vec u = n3i_over(j.du, unit), v = n3i_over(j.dv, unit), uv = n3i_over(j.duv, unit);
+    n3_vec du = n3_add(n3_mul(to_u, n3i_over(j.duu, unit)), n3_mul(to_v, uv));
+    n3_vec dv = n3_add(n3_mul(to_u, uv), n3_mul(to_v, n3i_over(j.dvv, unit)));
+    n3_real size = n3_len(u) + n3_len(v);
+    n3_vec n = n3i_clear(n3_cross(u, v), size);
     if (!n3i_is_zero(n)) return n;
-    du = n3_add(n3_mul(to_u, n3i_over(j.duu, unit)), n3_mul(to_v, turn));
-    dv = n3_add(n3_mul(to_u, turn), n3_mul(to_v, n3i_over(j.dvv, unit)));
     size += n3_len(du) + n3_len(dv);
-    n = n3i_clear(n3_add(n3_cross(du, Dv), n3_cross(Du, dv)), size);
-    if (n3i_is_zero(n) && !(n3_len(Du) + n3_len(Dv) > N3_NOISE))
-        n = n3i_clear(n3_cross(du, dv), size);
-    return n;
+    n = n3i_clear(n3_add(n3_cross(du, v), n3_cross(u, dv)), size);
+    return n3i_is_zero(n) ? n3i_clear(n3_cross(du, dv), size) : n;
 }
 
+/* A little way to the middle: what is third order there has lost a third of its digits to rounding,
+   and is off by as much. */
+#define BROWNI_WAY N3I_PICK((n3_real)1 / 131072, (n3_real)1 / 256)
+
+/* Here; then beside here, where also in a corner second derivatives are those on the way to the
+   middle; then farther on. */
 NAGATA3_API n3_vec brown_normal(const brown_square *s, n3_real u, n3_real v)
 {
-    n3_real half = (n3_real)1 / 2, step = (n3_real)1 / 1024, size = browni_size(s);
-    n3_vec n, d0 = n3_sub(s->side[1].p[3], s->side[0].p[0]);
-    n3_vec d1 = n3_sub(s->side[1].p[0], s->side[0].p[3]);
-    if (!(size > 0)) return n3_cross(d0, d1); /* zero, or NaN */
-    n = browni_normal_at(s, u, v, size);
-    if (n3i_is_zero(n)) n = browni_normal_at(s, u + step * (half - u), v + step * (half - v), size);
-    if (n3i_is_zero(n)) n = n3i_clear(n3_cross(n3i_over(d0, size), n3i_over(d1, size)), 1);
+    n3_real to_u = (n3_real)1 / 2 - u, to_v = (n3_real)1 / 2 - v;
+    n3_real size = browni_size(s), step[2];
+    int k;
+    n3_vec n = n3_sub(s->side[1].p[3], s->side[0].p[0]);
+    if (!(size > 0)) return n; /* zero, or NaN */
+    n = browni_normal_at(brown_jet(s, u, v), size, 0, 0);
+    step[0] = N3_EPS;
+    step[1] = BROWNI_WAY;
+    for (k = 0; k < 2 && n3i_is_zero(n); k++)
+        n = browni_normal_at(brown_jet(s, u + step[k] * to_u, v + step[k] * to_v), size, to_u, to_v);
     return n;
 }
 

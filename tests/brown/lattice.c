@@ -262,6 +262,27 @@ static void jumps(void)
     }
 }
 
+/* Rounding in the tangents of sides and squares is no difference between them: second derivatives
+ * next to a corner would hold it divided by the distance. Third derivatives are below 2000. */
+static void quiet_corners(void)
+{
+    rng r = {15};
+    long n, count = sample_count(SAMPLES);
+    n3_real e = sizeof(n3_real) == 8 ? N3_EPS * 4096 : N3_EPS * 8; /* 2^-40, 2^-20 */
+    for (n = 0; n < count; n++) {
+        lattice a;
+        brown_square s;
+        n3_jet j, k;
+        draw_lattice(&r, &a);
+        s = brown_lattice_square(&a.l, 0, 0);
+        j = brown_jet(&s, e, e);
+        k = brown_jet(&s, 2 * e, 2 * e);
+        CHECK_VEC(k.duu, j.duu, 2000 * (double)e + 2000 * EPS, n);
+        CHECK_VEC(k.duv, j.duv, 2000 * (double)e + 2000 * EPS, n);
+        CHECK_VEC(k.dvv, j.dvv, 2000 * (double)e + 2000 * EPS, n);
+    }
+}
+
 /* Own curves, with tangents of their own: points and cross tangents stay. */
 static void own_curves(void)
 {
@@ -361,7 +382,7 @@ static void check(void)
 {
     rng r = {14};
     lattice a;
-    int item = -7;
+    int item = -7, i;
     draw_lattice(&r, &a);
     a.l.columns = a.l.rows = 3;
     set_all(&a, a.u_shape[0]);
@@ -378,14 +399,28 @@ static void check(void)
     a.v_shape[5].bias = 0;
     a.v_shape[7].rise = 1;
     CHECK(brown_lattice_check(&a.l, &item) == BROWN_BAD_RISE && item == 7, 5);
+    memset(a.u_shape, 0, sizeof a.u_shape);
+    memset(a.v_shape, 0, sizeof a.v_shape);
+    for (i = 0; i < 9; i++) a.u_shape[i].rise = 1;
+    CHECK(brown_lattice_check(&a.l, &item) == BROWN_OK, 6);
+    a.l.rows = 2;
+    CHECK(brown_lattice_check(&a.l, &item) == BROWN_BAD_RISE && item == 0, 7);
 }
 
-const test_case tests_lattice[] = {
-    {"brown_eq_2", eq_2},           {"brown_eq_3", eq_3},
-    {"brown_eq_4", eq_4},           {"brown_eq_5", eq_5},
-    {"brown_eq_6", eq_6},           {"brown_eq_7", eq_7},
-    {"brown_eq_8", eq_8},           {"brown_eq_9", eq_9},
-    {"brown_section_3", section_3}, {"brown_points_are_kept", points_are_kept},
-    {"brown_jumps", jumps},         {"brown_own_curves", own_curves},
-    {"brown_plane", plane},         {"brown_half_cylinder", half_cylinder},
-    {"brown_lattice_check", check}, {NULL, NULL}};
+const test_case tests_lattice[] = {{"brown_eq_2", eq_2},
+                                   {"brown_eq_3", eq_3},
+                                   {"brown_eq_4", eq_4},
+                                   {"brown_eq_5", eq_5},
+                                   {"brown_eq_6", eq_6},
+                                   {"brown_eq_7", eq_7},
+                                   {"brown_eq_8", eq_8},
+                                   {"brown_eq_9", eq_9},
+                                   {"brown_section_3", section_3},
+                                   {"brown_points_are_kept", points_are_kept},
+                                   {"brown_jumps", jumps},
+                                   {"brown_quiet_corners", quiet_corners},
+                                   {"brown_own_curves", own_curves},
+                                   {"brown_plane", plane},
+                                   {"brown_half_cylinder", half_cylinder},
+                                   {"brown_lattice_check", check},
+                                   {NULL, NULL}};

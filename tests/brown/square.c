@@ -117,6 +117,25 @@ static void corners(void)
     }
 }
 
+/* However near to a corner, where tangents differ too; second derivatives may be beyond n3_real. */
+static void next_to_corners(void)
+{
+    static const double power[] = {-20, -100, -126, -140, -1000, -1022, -1060};
+    int i, k;
+    for (i = 0; i < 7; i++)
+        for (k = 0; k < KINDS_OF_SQUARE; k++) {
+            brown_square s = square_make(i, k);
+            n3_real u = (n3_real)pow(2, power[i]);
+            n3_jet j = brown_jet(&s, u, u), at = brown_jet(&s, 0, 0);
+            CHECK_VEC(j.x, at.x, 100 * (double)u + EPS, i);
+            CHECK(is_finite_vec(j.du) && is_finite_vec(j.dv), i);
+            if (k == INCOMPATIBLE) continue;
+            CHECK_VEC(j.du, at.du, 1000 * (double)u + 48 * EPS, i);
+            CHECK_VEC(j.dv, at.dv, 1000 * (double)u + 48 * EPS, i);
+            CHECK(is_finite_vec(j.duu) && is_finite_vec(j.duv) && is_finite_vec(j.dvv), i);
+        }
+}
+
 /* The next number of the row. */
 static double take_number(char **at)
 {
@@ -133,8 +152,8 @@ static double to_corner(double u, double v)
 }
 
 /* The exact values of golden.py, 2^-40 and in float 2^-20 from the corners as well, to what brown.h
- * claims: the largest coordinate or cross tangent is below 12. Where the tangents differ, the second
- * derivatives grow as 1/distance to the corner. */
+ * claims: the largest coordinate or cross tangent is below 12. Where the tangents differ, the
+ * second derivatives grow as 1/distance to the corner. */
 static void golden(void)
 {
     const char *path = "tests/brown/golden.csv";
@@ -160,8 +179,7 @@ static void golden(void)
         for (k = 0; k < 6; k++) {
             double x = take_number(&at), y = take_number(&at), z = take_number(&at);
             double near_by = kind == INCOMPATIBLE && k > 2 ? to_corner(u, v) : 1;
-            CHECK_VEC(got[k], narrow(d_v(x, y, z)), 12 * claim[k] * EPS / near_by,
-                      seed * 1000 + k);
+            CHECK_VEC(got[k], narrow(d_v(x, y, z)), 12 * claim[k] * EPS / near_by, seed * 1000 + k);
         }
         rows++;
     }
@@ -169,8 +187,7 @@ static void golden(void)
     CHECK(rows >= (sizeof(n3_real) == 8 ? 180 : 100), rows);
 }
 
-const test_case tests_square[] = {{"brown_eq_1", eq_1},
-                                  {"brown_sides", sides},
-                                  {"brown_corners", corners},
-                                  {"brown_golden", golden},
-                                  {NULL, NULL}};
+const test_case tests_square[] = {
+    {"brown_eq_1", eq_1},       {"brown_sides", sides},
+    {"brown_corners", corners}, {"brown_next_to_corners", next_to_corners},
+    {"brown_golden", golden},   {NULL, NULL}};
