@@ -90,6 +90,9 @@ bench-counts: $(COUNTS)  ## instructions of each call against bench/counts.csv, 
 accuracy: $(BUILD)/accuracy  ## how far from surfaces that are known exactly
 	@$(BUILD)/accuracy $(SURFACES)
 
+quads: $(BUILD)/accuracy  ## Brown's squares over quads, against two triangles for each
+	@$(BUILD)/accuracy --quads
+
 sweep: $(BUILD)/accuracy  ## the constants that the paper leaves open, over the same surfaces
 	@$(BUILD)/accuracy --sweep
 
@@ -176,5 +179,5 @@ $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compil
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown join seams files pictures large fuzz ledger dialects mutants \
-        bench bench-counts accuracy sweep facts golden gallery figures install help clean
+.PHONY: all demo test brown quads join seams files pictures large fuzz ledger dialects \
+        mutants bench bench-counts accuracy sweep facts golden gallery figures install help clean
