@@ -149,8 +149,8 @@ NAGATA3_API join_status join_rim_make(const join_border *b, int loop, int from_n
    twisting [2]. start: a point of each mesh, or NULL. along: -1, B runs against its triangles, as
    it must for both meshes to keep their outsides; 1, with them, and B is turned inside out; 0,
    whatever is found, where turning has to be better by a factor of 2.
-   Loops in the same places are refused. 64 comparisons for each point of the larger loop and each
-   direction. */
+   Loops in the same places are refused. 64 comparisons for each of up to 256 starts of the larger
+   loop, and some beside the best, in both directions. */
 NAGATA3_API join_status join_rims_match(join_rim *a, join_rim *b, const int start[2], int along,
                                         int *item);
 
@@ -466,19 +466,22 @@ NAGATA3_API join_vertex joini_between(const join_rim *r, int k, n3_real s)
     return v;
 }
 
-/* a mirrored across v, which turns it back where the mirror maps what v was made of. */
+/* a mirrored across the plane with the normal v. */
 NAGATA3_API n3_vec joini_mirror(n3_vec a, n3_vec v)
 {
     v = n3_unit(v);
     return n3_sub(a, n3_mul(2 * n3_dot(a, v), v));
 }
 
-/* How far A's normal, carried along the curve to B by two mirrors, is off B's, squared, 0 to 4. */
+/* How far A's normal, carried along the curve to B by two mirrors, is off B's, squared, 0 to 4. The
+   first mirror maps the ends onto each other, the second the tangent that then is there onto that
+   of B's end, reversed; where these are one already, its normal is what of the chord is across. */
 NAGATA3_API n3_real joini_twist(const join_vertex *a, const join_vertex *b, n3_real side)
 {
-    n3_vec d = n3_sub(b->x, a->x), n = joini_mirror(a->n, d), t = joini_mirror(a->t, d);
-    n = joini_mirror(n, n3_add(b->t, t));
-    n = n3_sub(n, n3_mul(side, b->n));
+    n3_vec d = n3_unit(n3_sub(b->x, a->x)), n = joini_mirror(a->n, d), t = joini_mirror(a->t, d);
+    n3_vec v = n3_add(b->t, t);
+    if (n3_len(v) <= N3_OPPOSITE) v = n3i_off(d, t);
+    n = n3_sub(joini_mirror(n, v), n3_mul(side, b->n));
     return n3_dot(n, n);
 }
 
@@ -511,21 +514,37 @@ NAGATA3_API n3_real joini_cost(const join_rim *a, const join_rim *b, n3_vec way,
     return sum / (n3_real)samples;
 }
 
-/* The best start of the larger rim for one direction of B; returns its cost. */
+/* Tries starts of a rim from one up to another, and keeps the best. */
+NAGATA3_API void joini_try_starts(join_rim *a, join_rim *b, join_rim *free_one, const int range[3],
+                                  n3_vec way, n3_real size, n3_real *least)
+{
+    int i, best = free_one->start, n = free_one->count;
+    for (i = range[0]; i <= range[1]; i += range[2]) {
+        n3_real cost;
+        free_one->start = i < 0 ? i + n : i % n;
+        cost = joini_cost(a, b, way, size);
+        if (!(cost < *least)) continue;
+        *least = cost;
+        best = free_one->start;
+    }
+    free_one->start = best;
+}
+
+/* The best start of the larger rim for one direction of B, of about 256 and then of those beside
+   the best of them; returns its cost. */
 NAGATA3_API n3_real joini_best_start(join_rim *a, join_rim *b, n3_vec way, n3_real size)
 {
     join_rim *free_one = a->count > b->count ? a : b;
-    int i, best = free_one->start;
     n3_real least = joini_cost(a, b, way, size);
-    for (i = 0; i < free_one->count; i++) {
-        n3_real cost;
-        free_one->start = i;
-        cost = joini_cost(a, b, way, size);
-        if (!(cost < least)) continue;
-        least = cost;
-        best = i;
-    }
-    free_one->start = best;
+    int range[3], step = 1 + free_one->count / 256;
+    range[0] = 0;
+    range[1] = free_one->count - 1;
+    range[2] = step;
+    joini_try_starts(a, b, free_one, range, way, size, &least);
+    range[0] = free_one->start - step + 1;
+    range[1] = free_one->start + step - 1;
+    range[2] = 1;
+    joini_try_starts(a, b, free_one, range, way, size, &least);
     return least;
 }
 
@@ -573,22 +592,20 @@ NAGATA3_API int joini_are_coincident(const join_rim *a, const join_rim *b)
 NAGATA3_API join_status join_rims_match(join_rim *a, join_rim *b, const int start[2], int along,
                                         int *item)
 {
-    join_rim turned_a = *a, turned_b;
+    join_rim turned_a, turned_b;
     if (joini_are_coincident(a, b)) return joini_blame(JOIN_COINCIDENT, -1, item);
     if (start && joini_vertex_of(a, start[0]) < 0) return joini_blame(JOIN_BAD_START, 0, item);
     if (start && joini_vertex_of(b, start[1]) < 0) return joini_blame(JOIN_BAD_START, 1, item);
-    a->even = b->even = turned_a.even = a->count == b->count;
-    a->step = turned_a.step = 1;
+    a->even = b->even = a->count == b->count;
+    a->step = 1;
+    b->step = along > 0 ? 1 : -1;
+    turned_a = *a;
     turned_b = *b;
-    b->step = -1;
     turned_b.step = 1;
-    if (along == 0)
-        along = 2 * joini_match(&turned_a, &turned_b, start) < joini_match(a, b, start) ? 1 : -1;
-    if (along > 0) {
+    if (2 * joini_match(&turned_a, &turned_b, start) < joini_match(a, b, start) && along == 0) {
         *a = turned_a;
         *b = turned_b;
     }
-    joini_match(a, b, start);
     return JOIN_OK;
 }
 

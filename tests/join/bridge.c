@@ -279,6 +279,51 @@ static void test_opposite_orientation(void)
     }
 }
 
+/* A tube that opens at the origin, turned from the z axis by an angle about the y axis, and moved. */
+static void lay_tube(body *b, tube *t, double angle, double x, double z)
+{
+    const double c = cos(angle), s = sin(angle);
+    int i;
+    input_make(0, 0, AROUND, t);
+    for (i = 0; i < t->mesh.points; i++) {
+        n3_vec *p = &t->point[i], y = *p;
+        p->x = (n3_real)(c * (double)y.x + s * (double)y.z + x);
+        p->z = (n3_real)(c * (double)y.z - s * (double)y.x + z);
+    }
+    body_free(b);
+    body_open(&t->mesh, b);
+    CHECK(body_take(b, input_start(t, 0)) == JOIN_OK, 0);
+}
+
+/* Tubes side by side, leaning together, at right angles, and one over the other but beside it: the
+   bridge is a handle, an elbow, an S. What is inside of the bend is joined to what is inside. */
+static void test_handles_and_elbows(void)
+{
+    static const double turn[4][2] = {{0, 0}, {0.8, 0}, {1.5707963267948966, 0},
+                                      {3.14159265358979323846, 5}};
+    int row, k;
+    for (row = 0; row < 4; row++) {
+        pair *p = pair_open(0, AROUND, AROUND);
+        const int start = input_start(&p->tube[0], 0);
+        joined j;
+        lay_tube(&p->a, &p->tube[0], 0, 0, 0);
+        lay_tube(&p->b, &p->tube[1], -turn[row][0], 5, turn[row][1]);
+        CHECK(join_rims_match(&p->a.rim, &p->b.rim, NULL, 0, NULL) == JOIN_OK, row);
+        CHECK(p->b.rim.step == -1, row);
+        for (k = 0; joini_at(&p->a.rim, k)->point != start; k++) continue;
+        CHECK(joini_at(&p->b.rim, k)->point == start + AROUND / 2, row);
+        j = pair_join(p, JOIN_NAGATA, 15);
+        CHECK(cuts(&j) == 0 && folds(&j) == 0, row);
+        for (k = 0; k < 2; k++) {
+            double range[2];
+            CHECK(seam(&j, k, range) == AROUND, row);
+            CHECK_NEAR(range[1], 0, 10, row);
+        }
+        joined_free(&j);
+        pair_free(p);
+    }
+}
+
 /* ---- Options ---- */
 
 /* The handles are (2 L / 3) / (1 + |t0 - t1| / 2) long times the strengths, along the tangents. */
@@ -429,6 +474,7 @@ const test_case tests_bridge[] = {
     {"join: the start is found", test_start_is_found},
     {"join: the start is given", test_start_is_given},
     {"join: opposite orientation", test_opposite_orientation},
+    {"join: handles and elbows", test_handles_and_elbows},
     {"join: strength", test_strength},
     {"join: rows of a tolerance", test_rows_of_tolerance},
     {"join: rows out of range", test_rows_out_of_range},
