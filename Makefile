@@ -56,6 +56,9 @@ pictures: $(BUILD)/pictures $(BUILD)/smooth $(BUILD)/demo_mesh  ## what smooth d
 join: $(JOIN_TESTS) $(BUILD)/join $(BUILD)/seams  ## two meshes joined by a smooth bridge
 	@sh tests/run.sh $(JOIN_TESTS) "sh tests/join/join_test.sh $(BUILD)/join $(BUILD)/seams"
 
+joined: $(BUILD)/join $(BUILD)/smooth $(BUILD)/seams  ## pictures of joined meshes in build/joined
+	@sh examples/join/pictures.sh $(BUILD)/join $(BUILD)/smooth $(BUILD)/seams $(BUILD)/joined
+
 seams: $(BUILD)/seams  ## the README's table of the angles at the seams of joined meshes
 	@$(BUILD)/seams
 
@@ -160,5 +163,5 @@ $(BUILD)/join $(BUILD)/seams $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(B
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown join seams files pictures fuzz ledger dialects mutants bench accuracy \
+.PHONY: all demo test brown join joined seams files pictures fuzz ledger dialects mutants bench accuracy \
         sweep facts golden figures install help clean

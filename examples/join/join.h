@@ -709,38 +709,49 @@ NAGATA3_API n3_vec joini_work_plane(const join_rim *a, int k, n3_vec o1, n3_vec 
     return n3i_upright(axis, n3_unit(n3_sub(joini_at(a, k)->x, o1)));
 }
 
-/* Moves B's points into the planes before any line is sought, as its triangles change with them.
-   Centres nearer to each other than half the digits of the loops' size are one. */
+/* Puts the points of B's loop into the work planes. (F2.4.2) */
+NAGATA3_API join_status joini_move(const join_rim *a, const join_rim *b, n3_vec o1, n3_vec axis,
+                                   n3_vec *moved, int *item)
+{
+    const n3_mesh *m = b->border->mesh;
+    int k;
+    for (k = 0; k < m->points; k++) moved[k] = n3i_point(m, k);
+    for (k = 0; k < a->count; k++) {
+        n3_vec s = joini_work_plane(a, k, o1, axis), *x = &moved[joini_at(b, k)->point];
+        if (n3i_is_zero(s)) return joini_blame(JOIN_NO_PLANE, joini_at(a, k)->point, item);
+        *x = n3_sub(*x, n3_mul(n3_dot(n3_sub(*x, o1), s), s));
+    }
+    return JOIN_OK;
+}
+
+/* All points of B's loop move before any line is sought, as its triangles change with them. Centres
+   nearer to each other than half the digits of the loops' size are one. */
 NAGATA3_API join_status joini_fujita_columns(const join_rim *a, const join_rim *b,
                                              const n3_real part[2], join_column *column,
                                              n3_vec *moved, int *item)
 {
+    const n3_mesh *mesh_a = a->border->mesh;
     n3_mesh mesh_b = *b->border->mesh;
     n3_real size = 0;
     n3_vec o1 = joini_centre(a, &size), axis = n3_sub(joini_centre(b, &size), o1);
+    join_status status;
     int k;
     axis = n3_len(axis) <= N3_OPPOSITE * size ? n3_v(0, 0, 0) : n3_unit(axis);
-    for (k = 0; k < mesh_b.points; k++) moved[k] = n3i_point(&mesh_b, k);
+    status = joini_move(a, b, o1, axis, moved, item);
     mesh_b.point = &moved->x;
     mesh_b.point_stride = 0;
-    for (k = 0; k < a->count; k++) {
-        n3_vec s = joini_work_plane(a, k, o1, axis), *x = &moved[joini_at(b, k)->point];
-        if (n3i_is_zero(s)) return joini_blame(JOIN_NO_PLANE, joini_at(a, k)->point, item);
-        *x = n3_sub(*x, n3_mul(n3_dot(n3_sub(*x, o1), s), s));                      /* (F2.4.2) */
-    }
-    for (k = 0; k < a->count; k++) {
+    for (k = 0; k < a->count && status == JOIN_OK; k++) {
         join_vertex v = *joini_at(a, k), w = *joini_at(b, k);
         n3_vec s = joini_work_plane(a, k, o1, axis);
-        v.t = joini_fan_line(a->border->mesh, a->border->topology, &v, s);
+        v.t = joini_fan_line(mesh_a, a->border->topology, &v, s);
         w.t = joini_fan_line(&mesh_b, b->border->topology, &w, s);
         w.x = moved[w.point];
         if (n3i_is_zero(v.t)) return joini_blame(JOIN_NO_LINE, v.point, item);
-        if (n3i_is_zero(w.t))
-            return joini_blame(JOIN_NO_LINE, a->border->mesh->points + w.point, item);
+        if (n3i_is_zero(w.t)) return joini_blame(JOIN_NO_LINE, mesh_a->points + w.point, item);
         column[k].s = joini_s(a, k);
         column[k].curve = joini_fujita_curve(v, w, s, part);
     }
-    return JOIN_OK;
+    return status;
 }
 
 /* ---- Definitions: the bridge ---- */

@@ -20,12 +20,13 @@ check() {
     fi
 }
 
-# A file that includes the header twice and takes the address of every public function.
+# every_function HEADER PREFIX: a file that includes the header twice and takes the address of every
+# public function.
 every_function() {
-    printf '#include "nagata3.h"\n#include "nagata3.h"\n'
+    printf '#include "%s"\n#include "%s"\n' "$1" "$1"
     printf 'typedef void (*function)(void);\nextern const function functions[];\n'
     printf 'const function functions[] = {\n'
-    sed -n 's/^NAGATA3_API [^(]*[ *]\(n3_[a-z0-9_]*\)(.*/    (function)\1,/p' nagata3.h | sort -u
+    sed -n "s/^NAGATA3_API [^(]*[ *]\($2[a-z0-9_]*\)(.*/    (function)\1,/p" "$1" | sort -u
     printf '};\n'
 }
 
@@ -46,7 +47,8 @@ one_program() {
 }
 
 mkdir -p "$out"
-every_function >"$out/all.c"
+every_function examples/join/join.h join_ >"$out/join.c"
+every_function nagata3.h n3_ >"$out/all.c"
 clang=$($cc --version | grep -c clang)
 for precision in -UNAGATA3_FLOAT -DNAGATA3_FLOAT; do
     object="$strict $precision -c $out/all.c -o $out/all.o"
@@ -57,6 +59,11 @@ for precision in -UNAGATA3_FLOAT -DNAGATA3_FLOAT; do
         check "$dialect" $cxx -x c++ -std=$dialect $object
     done
     [ "$clang" -eq 0 ] || check 'every warning' $cc -std=c99 $every $object
+    object="$strict $precision -c $out/join.c -o $out/join.o"
+    check 'c99, joining' $cc -std=c99 $object
+    check 'c++98, joining' $cxx -x c++ -std=c++98 $object
+    check 'c++20, joining' $cxx -x c++ -std=c++20 $object
+    [ "$clang" -eq 0 ] || check 'every warning, joining' $cc -std=c99 $every $object
     check freestanding freestanding $precision -O1
     check 'freestanding, optimised' freestanding $precision -O3
 done

@@ -92,6 +92,26 @@ static void test_closed_along_both_seams(void)
     }
 }
 
+/* From 12 points to 5 in four rows: a row at each loop's own number, then in proportion. With one
+   row it is the larger loop's. */
+static void test_rows_of_unequal_loops(void)
+{
+    static const int want[] = {12, 12, 10, 7, 5, 5};
+    pair *p = pair_open(1, 12, 5);
+    joined j = pair_join(p, JOIN_NAGATA, 4);
+    int r, points = 12 * RINGS + 5 * RINGS, triangles = j.mesh.triangles;
+    for (r = 0; r < 6; r++) CHECK(joini_row_count(&j.bridge, r) == want[r], r);
+    CHECK(j.mesh.points == points + 12 + 10 + 7 + 5, 0);
+    CHECK(triangles == 6 * 17 + 12 + 2 * (12 + 10 + 7 + 5) + 5, 1);
+    for (r = 0; r < 12; r++)
+        CHECK_NEAR(joini_row_s(&j.bridge, 1, r), joini_s(&p->a.rim, r), 0, r);
+    for (r = 0; r < 5; r++) CHECK_NEAR(joini_row_s(&j.bridge, 4, r), joini_s(&p->b.rim, r), 0, r);
+    j.bridge.rows = 1;
+    CHECK(joini_row_count(&j.bridge, 1) == 12, 2);
+    joined_free(&j);
+    pair_free(p);
+}
+
 /* ---- Self-intersection ---- */
 
 /* Six times the volume of a tetrahedron; what is within the rounding counts as 0. */
@@ -251,8 +271,9 @@ static void test_opposite_orientation(void)
     int row, i, k;
     for (row = 0; row < INPUTS; row++) {
         pair *p = pair_open(row, AROUND, AROUND);
-        joined j = pair_join(p, JOIN_NAGATA, 3), turned;
+        joined j = pair_join(p, JOIN_NAGATA, 1), turned;
         tube *upper = &p->tube[1];
+        double range[2], other[2];
         int wrong;
         for (i = 0; i < upper->mesh.triangles; i++) {
             int *c = upper->triangle + 3 * i, swap = c[1];
@@ -264,7 +285,12 @@ static void test_opposite_orientation(void)
         CHECK(body_take(&p->b, 0) == JOIN_OK, row);
         CHECK(join_rims_match(&p->a.rim, &p->b.rim, NULL, 0, NULL) == JOIN_OK, row);
         CHECK(p->b.rim.step == 1, row);
-        turned = pair_join(p, JOIN_NAGATA, 3);
+        turned = pair_join(p, JOIN_NAGATA, 1);
+        for (k = 0; k < 2; k++) {
+            seam(&j, k, range);
+            seam(&turned, k, other);
+            CHECK_NEAR(other[1], range[1], 0.01, row);
+        }
         CHECK(open_edges(&turned, &wrong) == 2 * AROUND && wrong == 0, row);
         CHECK(turned.mesh.triangles == j.mesh.triangles, row);
         for (i = 0; i < turned.mesh.points; i++) {
@@ -279,7 +305,8 @@ static void test_opposite_orientation(void)
     }
 }
 
-/* A tube that opens at the origin, turned from the z axis by an angle about the y axis, and moved. */
+/* A tube that opens at the origin, turned from the z axis by an angle about the y axis, and moved.
+ */
 static void lay_tube(body *b, tube *t, double angle, double x, double z)
 {
     const double c = cos(angle), s = sin(angle);
@@ -299,8 +326,8 @@ static void lay_tube(body *b, tube *t, double angle, double x, double z)
    bridge is a handle, an elbow, an S. What is inside of the bend is joined to what is inside. */
 static void test_handles_and_elbows(void)
 {
-    static const double turn[4][2] = {{0, 0}, {0.8, 0}, {1.5707963267948966, 0},
-                                      {3.14159265358979323846, 5}};
+    static const double turn[4][2] = {
+        {0, 0}, {0.8, 0}, {1.5707963267948966, 0}, {3.14159265358979323846, 5}};
     int row, k;
     for (row = 0; row < 4; row++) {
         pair *p = pair_open(0, AROUND, AROUND);
@@ -469,6 +496,7 @@ const test_case tests_bridge[] = {
     {"join: seams fall like 1 / rows", test_seams_fall_like_one_over_rows},
     {"join: kept bit for bit", test_kept_bit_for_bit},
     {"join: closed along both seams", test_closed_along_both_seams},
+    {"join: rows of unequal loops", test_rows_of_unequal_loops},
     {"join: no self-intersection", test_no_self_intersection},
     {"join: self-intersection is seen", test_self_intersection_is_seen},
     {"join: the start is found", test_start_is_found},
