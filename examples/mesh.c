@@ -126,7 +126,7 @@ field *field_add(field **list, int *fields, const char *name, size_t length, int
     f = &(*list)[(*fields)++];
     f->name = memcpy(allocate(length + 1, 1), name, length);
     f->components = components;
-    f->whole = 0;
+    f->kind = VALUES;
     f->value = value;
     return f;
 }

@@ -8,12 +8,15 @@
 
 #include <stdio.h>
 
-/* Values of each point or of each cell, row by row. Whole ones are numbers of things, which have no
-   mean. NaN: the file has none there. */
+/* Values that can be anything between two of them; numbers of things, whole ones that have no mean;
+   bytes of colours, whose mean is rounded. */
+enum { VALUES, NUMBERS, COLOUR_BYTES };
+
+/* Values of each point or of each cell, row by row. NaN: the file has none there. */
 typedef struct field {
     char *name;
     int components;
-    int whole;
+    int kind;
     double *value;
 } field;
 
@@ -46,6 +49,7 @@ typedef struct mesh {
     int welded;      /* points that lie within the tolerance of another one */
     int collapsed;   /* triangles left out: two of their corners are one point */
     int unused;      /* points left out: in no triangle */
+    double highest;  /* number, in the field "id", of a point of the file */
     n3_real reach;   /* the tolerance, a length */
 } mesh;
 
@@ -95,7 +99,7 @@ void mesh_add_triangle(mesh *m, int a, int b, int c);
    corners, or NULL. A fan from the widest corner, the first of equal ones, splits it. */
 void mesh_add_polygon(mesh *m, int n, const int *point, const int *normal);
 
-/* Adds a field to the list. The name is copied up to length characters; the values, from
+/* Adds a field of VALUES to the list. The name is copied up to length characters; the values, from
    allocate(), become the field's. */
 field *field_add(field **list, int *fields, const char *name, size_t length, int components,
                  double *value);

@@ -1,4 +1,4 @@
-#define _POSIX_C_SOURCE 200112L /* isatty; without POSIX there is no progress to be seen */
+#define _POSIX_C_SOURCE 200112L /* isatty, clock_gettime; without POSIX there is no progress */
 #include "mesh_output.h"
 
 #include "mesh_number.h"
@@ -185,15 +185,41 @@ void put_separator(output *o, char c)
 
 /* ---- Progress ---- */
 
-static int hidden, width;
-static time_t started, told;
+enum { STEPS = 16 };
+
+static struct {
+    const char *work;
+    double seconds;
+} steps[STEPS]; /* the last one is under way */
+static int count, hidden, width;
+static double started, told, step_started;
+
+/* Seconds, from some time on. */
+static double now(void)
+{
+#ifdef CLOCK_MONOTONIC
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+#else
+    return (double)time(NULL);
+#endif
+}
+
+static void begin_step(const char *work, double time)
+{
+    if (count) steps[count - 1].seconds = time - step_started;
+    if (count < STEPS) steps[count++].work = work;
+    if (count == 1) started = told = time;
+    step_started = time;
+}
 
 void progress(const char *work, double done, double all)
 {
-    time_t now = time(NULL);
-    if (!started) started = told = now;
-    if (hidden || now - started < 2 || now == told || !isatty(TERMINAL)) return;
-    told = now;
+    const double time = now();
+    if (!count || strcmp(steps[count - 1].work, work) != 0) begin_step(work, time);
+    if (hidden || time - started < 1 || time - told < 0.5 || !isatty(TERMINAL)) return;
+    told = time;
     width = fprintf(stderr, "\r%s: %s", program, work);
     if (done >= 0) width += fprintf(stderr, " %d %%", (int)(100 * done / all));
     fputs("   \r", stderr);
@@ -204,4 +230,15 @@ void progress_hide(void)
 {
     if (width) fprintf(stderr, "\r%*s\r", width, "");
     hidden = 1;
+}
+
+void progress_times(double triangles)
+{
+    double all = now() - started;
+    int i;
+    begin_step("all", now());
+    steps[count - 1].seconds = all;
+    for (i = 0; i < count; i++)
+        fprintf(stderr, "%s: %8.2f s %8.3f us per triangle  %s\n", program, steps[i].seconds,
+                1e6 * steps[i].seconds / triangles, steps[i].work);
 }

@@ -39,4 +39,7 @@ int type_bytes(int type);
 void progress(const char *work, double done, double all);
 void progress_hide(void);
 
+/* How long each kind of work took, on stderr. */
+void progress_times(double triangles);
+
 #endif

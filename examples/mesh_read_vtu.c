@@ -261,8 +261,8 @@ static void add_values(reader *r, const array *a, int i)
     double *x = read_array(r, a, rows);
     char *name = xml_decode(a->name);
     if (r->pieces == 0)
-        field_add(list, fields, name, strlen(name), a->components, NULL)->whole =
-            type_find(&a->text, types, a->type)->kind != 'f';
+        field_add(list, fields, name, strlen(name), a->components, NULL)->kind =
+            type_values(type_find(&a->text, types, a->type), a->components);
     f = i < *fields ? *list + i : NULL;
     if (!f || strcmp(f->name, name) != 0 || f->components != a->components)
         text_fail(&a->text, "the first piece has other arrays");

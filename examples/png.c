@@ -7,13 +7,13 @@
 #include <stdlib.h>
 
 enum { GREY = 0, RGB = 2, PALETTE = 3 }; /* colour types */
-enum { FILTERS = 5, COLOURS = 256, SLOTS = 4 * COLOURS };
+enum { FILTERS = 5, ENTRIES = 256, SLOTS = 4 * ENTRIES };
 
 /* The picture as the file has it: rows of so many bytes a pixel. */
 typedef struct image {
     int width, height, type, depth; /* bytes */
     unsigned char *row;
-    unsigned char palette[3 * COLOURS];
+    unsigned char palette[3 * ENTRIES];
     int colours;
 } image;
 
@@ -72,7 +72,7 @@ static int find_palette(image *m, const unsigned char *rgb, size_t pixels)
     for (i = 0; i < pixels; i++) {
         k = colour_slot(m, slot, rgb + 3 * i);
         if (slot[k] < 0) {
-            if (m->colours == COLOURS) return 0;
+            if (m->colours == ENTRIES) return 0;
             memcpy(m->palette + 3 * m->colours, rgb + 3 * i, 3);
             slot[k] = m->colours++;
         }

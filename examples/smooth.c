@@ -11,7 +11,8 @@ const char usage[] =
     "usage: smooth IN -o OUT [-n LEVEL | --tol T[%] | --order 2|3 | --bezier] [--text | --binary]\n"
     "              [--rule paper|arc|fit|nagata|pn|flat] [--quads brown] [--boundary]\n"
     "              [--crease DEG] [--weld REL] [--view VIEW] [--size WxH] [--turn DEG]\n"
-    "              [--rise DEG] [--zoom Z] [--up x|y|z] [--report] [--json] [--quiet]\n";
+    "              [--rise DEG] [--zoom Z] [--up x|y|z] [--report] [--json]\n"
+    "              [--times] [--quiet]\n";
 
 static const char help[] =
     "Lays a smooth surface through the points of a mesh of triangles, tangent to its normals.\n"
@@ -51,6 +52,7 @@ static const char help[] =
     "  --up x|y|z     which axis is up (z)\n"
     "\n"
     "  --report       say on stdout what was found and done; with --json, as JSON\n"
+    "  --times        say on stderr how long each kind of work took\n"
     "  --quiet        no statistics and no progress on stderr\n"
     "  -h, --help     this text\n"
     "  --version      the version\n"
@@ -63,7 +65,7 @@ typedef struct options {
     const char *in;
     request out; /* path NULL: none */
     const smooth_rule *rule;
-    int boundary, quads, report, json, quiet;
+    int boundary, quads, report, json, quiet, times;
     n3_real crease; /* degrees */
     n3_real weld;   /* negative: by the format */
 } options;
@@ -85,6 +87,8 @@ static int read_switch(options *o, const char *a)
         o->report = o->json = 1;
     else if (!strcmp(a, "--quiet"))
         o->quiet = 1;
+    else if (!strcmp(a, "--times"))
+        o->times = 1;
     else
         return 0;
     return 1;
@@ -162,7 +166,7 @@ static void check_options(const options *o)
 
 static options read_options(int argc, char **argv)
 {
-    options o = {NULL, request_plain(), NULL, 0, 0, 0, 0, 0, 50, -1};
+    options o = {NULL, request_plain(), NULL, 0, 0, 0, 0, 0, 0, 50, -1};
     int i;
     o.rule = smooth_rule_find("paper");
     for (i = 1; i < argc; i++) {
@@ -186,42 +190,36 @@ static options read_options(int argc, char **argv)
     return o;
 }
 
-/* What was done to the mesh before anything else; never in silence, unless asked. */
-static void report_reading(const char *path, const mesh *m)
-{
-    if (m->skipped)
-        fprintf(stderr, "%s: %s: left out %d cells that are no %s\n", program, path, m->skipped,
-                m->boundary ? "volumes" : "faces");
-    if (m->curved)
-        fprintf(stderr, "%s: %s: took the corners alone of %d curved cells\n", program, path,
-                m->curved);
-    if (m->lost_fields)
-        fprintf(stderr, "%s: %s: left out %d fields of no numbers, few or too large ones\n",
-                program, path, m->lost_fields);
-    if (!m->joined && !m->welded && !m->collapsed) return;
-    fprintf(stderr, "%s: %s: joined %d equal points", program, path, m->joined);
-    if (m->reach > 0) fprintf(stderr, " and %d within %.3g", m->welded, (double)m->reach);
-    fprintf(stderr, "; left out %d collapsed triangles\n", m->collapsed);
-}
-
 /* Formats that number their points, from 0 or from 1. */
 static int numbers_points(const mesh *m)
 {
     return strcmp(m->format, "OBJ") && strcmp(m->format, "STL") && strcmp(m->format, "PLY");
 }
 
-/* The points keep their numbers as a field "id", if some are left out and others move up. */
+/* Numbers the points by a field "id", unless they have one. False if they have. */
+static int number_points(mesh *m, int first)
+{
+    double *value;
+    int i;
+    if (mesh_field_find(m->point_field, m->point_fields, "id")) return 0;
+    value = allocate((size_t)m->points, sizeof *value);
+    for (i = 0; i < m->points; i++) value[i] = i + first;
+    field_add(&m->point_field, &m->point_fields, "id", 2, 1, value)->kind = NUMBERS;
+    return 1;
+}
+
+/* The points keep their numbers, if others of the file's cells have been left out or move up. */
 static void join_points(mesh *m, n3_real weld)
 {
-    int i, first = strcmp(m->format, "MSH") == 0, fields = m->point_fields;
-    if (numbers_points(m) && !mesh_field_find(m->point_field, fields, "id")) {
-        double *value = allocate((size_t)m->points, sizeof *value);
-        for (i = 0; i < m->points; i++) value[i] = i + first;
-        field_add(&m->point_field, &m->point_fields, "id", 2, 1, value)->whole = 1;
-    }
+    const int first = strcmp(m->format, "MSH") == 0, id = m->point_fields;
+    int i, added = numbers_points(m) && number_points(m, first);
+    const field *f = mesh_field_find(m->point_field, m->point_fields, "id");
+    for (i = 0; f && i < m->points; i++)
+        if (f->value[i] > m->highest) m->highest = f->value[i];
     mesh_join(m, weld);
-    if (m->point_fields > fields && !m->joined && !m->welded && !m->unused)
-        field_drop(m->point_field, &m->point_fields, fields);
+    if (!added || m->skipped) return;
+    for (i = 0; i < m->points && f->value[i] <= i + first; i++) continue;
+    if (i == m->points) field_drop(m->point_field, &m->point_fields, id);
 }
 
 static void read_mesh(const options *o, mesh *m)
@@ -247,12 +245,13 @@ int main(int argc, char **argv)
     output_catch_signals();
     if (o.quiet) progress_hide();
     read_mesh(&o, &m);
-    progress("laying the surface", -1, 1);
     surface_make(o.in, &m, o.rule, cos(o.crease * degree), &s);
     if (o.quads) surface_find_quads(&m, &s);
     if (o.out.path) out = product_write(&o.out, &m, &s);
-    progress_hide();
+    progress("measuring", -1, 1);
     r = surface_report(&s);
+    progress_hide();
+    if (o.times) progress_times(m.triangles);
     if (!o.quiet) report_line(o.in, &s, &r, &out);
     if (o.report) (o.json ? report_json : report_text)(o.in, &m, &s, &r, &out);
     surface_free(&s);

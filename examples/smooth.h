@@ -95,6 +95,9 @@ const char *product_refuse(const request *r);
 int product_is_exact(const request *r);
 product product_write(const request *r, const mesh *m, const surface *s);
 
+/* What reading has made of the file, never in silence: for stderr, a line for each. */
+void report_reading(const char *in, const mesh *m);
+
 /* One line for stderr; the whole story for stdout, as text or as JSON. */
 void report_line(const char *in, const surface *s, const n3_report *r, const product *out);
 void report_text(const char *in, const mesh *m, const surface *s, const n3_report *r,

@@ -31,7 +31,7 @@ static void grid_room(grid *g, unsigned with)
         g->normal = allocate((size_t)g->normals, sizeof *g->normal);
         g->corner = allocate(n, 3 * sizeof *g->corner);
     }
-    if (with & WITH_FIELDS) g->origin = allocate(n, sizeof *g->origin);
+    g->origin = allocate(n, sizeof *g->origin);
     if (!(with & WITH_FIELDS && g->mesh->point_fields) && !g->surface->squares) return;
     g->parent = allocate(nodes, sizeof *g->parent);
     g->uv = allocate(nodes, 2 * sizeof *g->uv);
@@ -56,32 +56,42 @@ static double nearest(const grid *g, const field *f, int node, int component)
 /* The points' own numbers, which no two share: new nodes go on from the highest. */
 static void number_on(const grid *g, field *f)
 {
-    double most = 0;
+    double most = g->mesh->highest;
     int i;
     for (i = 0; i < g->mesh->points; i++)
         if (f->value[i] > most) most = f->value[i];
     for (; i < g->nodes; i++) f->value[i] = most + i - g->mesh->points + 1;
 }
 
-static void carry_field(const grid *g, const field *from, field *to)
+static void take_nearest(const grid *g, const field *from, double *to)
+{
+    int i, k;
+    for (i = g->mesh->points; i < g->nodes; i++)
+        for (k = 0; k < from->components; k++) *to++ = nearest(g, from, i, k);
+}
+
+static void take_mean(const grid *g, const field *from, double *to)
 {
     const surface *s = g->surface;
-    size_t width = (size_t)from->components;
-    int i, k;
+    const int points = g->mesh->points, rows = g->nodes - points;
+    size_t i, n = (size_t)rows * (size_t)from->components;
+    n3_mesh_field(&s->mesh, &s->topology, 1, from->components, from->value, g->parent + points,
+                  g->uv + 2 * points, rows, to);
+    for (i = 0; i < n && from->kind == COLOUR_BYTES; i++) to[i] = floor(to[i] + 0.5);
+}
+
+static void carry_field(const grid *g, const field *from, field *to)
+{
+    const size_t kept = (size_t)g->mesh->points * (size_t)from->components;
     *to = *from;
-    to->value = allocate((size_t)g->nodes, width * sizeof *to->value);
-    memcpy(to->value, from->value, (size_t)g->mesh->points * width * sizeof *to->value);
-    if (from->whole && width == 1 && strcmp(from->name, "id") == 0) {
+    to->value = allocate((size_t)g->nodes, (size_t)from->components * sizeof *to->value);
+    memcpy(to->value, from->value, kept * sizeof *to->value);
+    if (from->kind != NUMBERS)
+        take_mean(g, from, to->value + kept);
+    else if (from->components == 1 && strcmp(from->name, "id") == 0)
         number_on(g, to);
-    } else if (from->whole) {
-        for (i = g->mesh->points; i < g->nodes; i++)
-            for (k = 0; k < from->components; k++)
-                to->value[(size_t)i * width + (size_t)k] = nearest(g, from, i, k);
-    } else {
-        int points = g->mesh->points;
-        n3_mesh_field(&s->mesh, &s->topology, 1, from->components, from->value, g->parent + points,
-                      g->uv + 2 * points, g->nodes - points, to->value + (size_t)points * width);
-    }
+    else
+        take_nearest(g, from, to->value + kept);
 }
 
 static void carry_fields(grid *g)
@@ -98,24 +108,52 @@ static void carry_fields(grid *g)
     for (i = 0; i < g->elements; i++) g->cell[i] = m->cell[g->origin[i]];
 }
 
-/* ---- Facets ---- */
+/* ---- Normals ---- */
 
-static void mean_normals(grid *g)
+static int are_one(n3_vec a, n3_vec b)
+{
+    return n3_dot(n3_unit(a), n3_unit(b)) >= 1 - 16 * N3_EPS;
+}
+
+/* The mesh's own normal, to the bit, where the patch has the same. */
+static n3_vec own_normal(const surface *s, int corner, n3_vec normal)
+{
+    n3_vec own = s->normal[s->corner[corner]];
+    return are_one(own, normal) ? own : normal;
+}
+
+static void own_normals(grid *g)
 {
     int i;
-    g->node_normal = allocate((size_t)g->nodes, sizeof *g->node_normal);
     for (i = 0; i < 3 * g->elements; i++) {
-        n3_vec *sum = &g->node_normal[g->element[i]];
-        *sum = n3_add(*sum, g->normal[g->corner[i]]);
+        n3_vec *normal = &g->normal[g->corner[i]];
+        int corner = 3 * g->origin[i / 3];
+        if (g->element[i] >= g->mesh->points) continue;
+        while (g->mesh->triangle[corner] != g->element[i]) corner++;
+        *normal = own_normal(g->surface, corner, *normal);
     }
-    for (i = 0; i < g->nodes; i++) g->node_normal[i] = n3_unit(g->node_normal[i]);
-    if (g->normal) free(g->normal), free(g->corner);
-    g->normal = NULL, g->corner = NULL;
 }
+
+n3_vec *grid_mean_normals(const grid *g, const int *of, int count)
+{
+    n3_vec *mean = allocate((size_t)count, sizeof *mean);
+    int i;
+    for (i = 0; i < 3 * g->elements; i++)
+        mean[of[i]] = n3_add(mean[of[i]], g->normal[g->corner[i]]);
+    for (i = 0; i < count; i++) mean[i] = n3_unit(mean[i]);
+    for (i = 0; i < 3 * g->elements; i++) {
+        n3_vec normal = g->normal[g->corner[i]];
+        if (are_one(normal, mean[of[i]])) mean[of[i]] = normal;
+    }
+    return mean;
+}
+
+/* ---- Facets ---- */
 
 static void finish_facets(grid *g, unsigned with)
 {
-    if (with & WITH_NODE_NORMALS) mean_normals(g);
+    if (g->normal) own_normals(g);
+    if (with & WITH_NODE_NORMALS) g->node_normal = grid_mean_normals(g, g->element, g->nodes);
     if (with & WITH_FIELDS) carry_fields(g);
 }
 
@@ -130,7 +168,7 @@ void grid_refine(const mesh *m, const surface *s, int level, unsigned with, grid
     for (i = 0; i <= s->topology.edges; i++) g->first[i] = m->points + (level - 1) * i;
     n3_mesh_refine(&s->mesh, &s->topology, s->net, level, g->node, g->element, g->normal, g->corner,
                    g->parent, g->uv);
-    for (i = 0; i < g->elements && g->origin; i++) g->origin[i] = i / (level * level);
+    for (i = 0; i < g->elements; i++) g->origin[i] = i / (level * level);
     if (s->squares) grid_lay_squares(g, level);
     finish_facets(g, with);
 }
@@ -189,6 +227,10 @@ static void curve_normals(grid *g)
         }
     }
     for (i = 0; i < g->nodes; i++) g->node_normal[i] = n3_unit(g->node_normal[i]);
+    for (i = 0; i < 3 * g->mesh->triangles; i++) {
+        n3_vec *normal = &g->node_normal[g->mesh->triangle[i]];
+        *normal = own_normal(s, i, *normal);
+    }
 }
 
 /* The nodes of an element of the degree 2 or 3 are the points of a refinement with as many parts,
@@ -211,7 +253,7 @@ void grid_curve(const mesh *m, const surface *s, int kind, unsigned with, grid *
     for (i = 0; i < g->elements; i++) {
         int n = element_nodes(g, i, node);
         memcpy(g->element + i * n, node, (size_t)n * sizeof *node);
-        if (g->origin) g->origin[i] = i;
+        g->origin[i] = i;
     }
     if (with & WITH_NODE_NORMALS) curve_normals(g);
     if (with & WITH_FIELDS) carry_fields(g);
@@ -264,38 +306,43 @@ void put_array(output *o, const array *a)
     }
 }
 
-/* Whole numbers where all are, in as many bytes as they need. */
+/* The type with the fewest bytes that holds all numbers of things, or bytes of colours. */
 static int type_of(const field *f, int rows)
 {
     const double exact = 9007199254740992; /* 2^53 */
     size_t i, n = (size_t)rows * (size_t)f->components;
-    int type = f->whole ? INT32 : FLOAT64;
-    for (i = 0; i < n && type != FLOAT64; i++) {
+    int type = f->kind == COLOUR_BYTES ? UINT8 : INT32;
+    if (f->kind == VALUES) return FLOAT64;
+    for (i = 0; i < n; i++) {
         double x = f->value[i];
+        if (!(fabs(x) <= exact) || x > floor(x)) return FLOAT64;
+        if (type == UINT8 && !(x >= 0 && x <= 255)) type = INT32;
         if (!(x >= INT_MIN && x <= INT_MAX)) type = INT64;
-        if (!(fabs(x) <= exact)) type = FLOAT64;
     }
     return type;
 }
 
-static array array_of(const field *f, int rows, int type)
+static array array_of(const char *name, int components, int rows, int type, const double *real)
 {
     array a = {NULL, 0, 0, 0, NULL, NULL, NULL, 0, 0};
-    a.name = f->name;
-    a.components = f->components;
+    a.name = name;
+    a.components = components;
     a.type = type;
     a.rows = rows;
-    a.real = f->value;
+    a.real = real;
     return a;
 }
 
 array *grid_node_arrays(const grid *g)
 {
-    const int n = g->point_field ? g->mesh->point_fields : 0;
-    array *list = allocate((size_t)n + 1, sizeof *list);
+    const int fields = g->point_field ? g->mesh->point_fields : 0;
+    array *list = allocate((size_t)fields + 2, sizeof *list), *to = list;
     int i;
-    for (i = 0; i < n; i++)
-        list[i] = array_of(&g->point_field[i], g->nodes, type_of(&g->point_field[i], g->nodes));
+    if (g->node_normal) *to++ = array_of("Normals", 3, g->nodes, FLOAT64, &g->node_normal->x);
+    for (i = 0; i < fields; i++) {
+        const field *f = &g->point_field[i];
+        *to++ = array_of(f->name, f->components, g->nodes, type_of(f, g->nodes), f->value);
+    }
     return list;
 }
 
@@ -306,7 +353,8 @@ array *grid_element_arrays(const grid *g)
     array *list = allocate((size_t)n + 1, sizeof *list);
     int i;
     for (i = 0; i < n; i++) {
-        list[i] = array_of(&m->cell_field[i], g->elements, type_of(&m->cell_field[i], m->cells));
+        const field *f = &m->cell_field[i];
+        list[i] = array_of(f->name, f->components, g->elements, type_of(f, m->cells), f->value);
         list[i].map = g->cell;
     }
     return list;
@@ -314,8 +362,5 @@ array *grid_element_arrays(const grid *g)
 
 array grid_places(const grid *g)
 {
-    array a = {"points", 3, FLOAT64, 0, NULL, NULL, NULL, 0, 0};
-    a.rows = g->nodes;
-    a.real = &g->node->x;
-    return a;
+    return array_of("points", 3, g->nodes, FLOAT64, &g->node->x);
 }

@@ -19,7 +19,7 @@ typedef struct grid {
     int *element;        /* corners of each */
     int *origin;         /* of each, the triangle that it comes from */
     int *first;          /* [edges + 1] of each edge, the first node; then the first one inside */
-    n3_vec *normal;      /* of facets, those of their patches */
+    n3_vec *normal;      /* of facets: at points of the mesh its own, else those of the patches */
     int *corner;         /* three of each */
     n3_vec *node_normal; /* their mean at a node */
     int *parent;         /* of each node, a triangle that has it, and its place there */
@@ -38,6 +38,10 @@ void grid_free(grid *g);
    each edge. */
 void grid_lay_squares(grid *g, int level);
 
+/* The mean of the normals at the corners of the facets, for each of count things that they are of;
+   where these are one, to the bit. From allocate(). */
+n3_vec *grid_mean_normals(const grid *g, const int *of, int count);
+
 /* Numbers in rows: real, whole, or first, first + step, ...; with a map, the row of that number. */
 typedef struct array {
     const char *name;
@@ -52,7 +56,7 @@ double array_value(const array *a, int row, int component);
 /* The rows one after the other; in text a line for each. */
 void put_array(output *o, const array *a);
 
-/* What the grid has in a row for each node, without its place, or for each element, without its
+/* What the grid has in a row for each node, without its place but with its normal, or for each element, without its
    nodes; an array that ends with a name of NULL. */
 array *grid_node_arrays(const grid *g);
 array *grid_element_arrays(const grid *g);
@@ -61,13 +65,13 @@ array grid_places(const grid *g);
 /* The field of cells or of points of that name, NULL if there is none. */
 const field *mesh_field_find(const field *list, int fields, const char *name);
 
-/* The whole grid, in the format of the name. PLY renumbers its corners. */
-void grid_write_obj(output *o, grid *g);
-void grid_write_stl(output *o, grid *g);
-void grid_write_ply(output *o, grid *g);
-void grid_write_vtu(output *o, grid *g);
-void grid_write_vtk(output *o, grid *g);
-void grid_write_msh(output *o, grid *g);
+/* The whole grid, in the format of the name. */
+void grid_write_obj(output *o, const grid *g);
+void grid_write_stl(output *o, const grid *g);
+void grid_write_ply(output *o, const grid *g);
+void grid_write_vtu(output *o, const grid *g);
+void grid_write_vtk(output *o, const grid *g);
+void grid_write_msh(output *o, const grid *g);
 
 /* STEP: the surface itself, as so many solids and sheets. */
 typedef struct bodies {

@@ -1,6 +1,8 @@
 /* From a mesh to its surface: neighbours, creases, normals, the net of control points. */
 #include "smooth.h"
 
+#include "mesh_output.h"
+
 #include <stdlib.h>
 
 static n3_edge nagata_edge(n3_vertex a, n3_vertex b)
@@ -79,6 +81,7 @@ static void make_normals(const char *path, const mesh *m, n3_real cos_crease, su
     n3_status status;
     s->normal = allocate((size_t)m->normals + 3 * (size_t)m->triangles, sizeof *s->normal);
     s->corner = allocate((size_t)m->triangles, 3 * sizeof *s->corner);
+    progress("estimating normals", -1, 1);
     status = n3_mesh_normals(&s->mesh, &s->topology, cos_crease, mark, s->normal, s->corner,
                              &normals, &item);
     check(path, status, item);
@@ -175,6 +178,7 @@ static void make_topology(const char *path, const mesh *m, surface *s)
     }
     size = n3_mesh_workspace(&s->mesh);
     s->work = allocate(size, 1);
+    progress("finding neighbours", -1, 1);
     status = n3_mesh_topology(&s->mesh, s->work, size, &s->topology, &item);
     check(path, status, item);
 }
@@ -194,6 +198,7 @@ void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_r
     s->net = allocate((size_t)s->nodes, sizeof *s->net);
     s->flags = allocate((size_t)s->topology.edges, sizeof *s->flags);
     options.rule = rule->rule;
+    progress("bending edges", -1, 1);
     status = n3_mesh_net(&s->mesh, &s->topology, &options, s->net, s->flags, &item);
     check(path, status, item);
     if (rule->edge) replace_net(s);

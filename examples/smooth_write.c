@@ -2,9 +2,11 @@
 #include "smooth_grid.h"
 #include "smooth_picture.h"
 
+#include <float.h>
 #include <stdlib.h>
 
-/* Up to so many elements a file is text that people can read, unless they want it otherwise. */
+/* Up to so many elements a file is text that people can read, unless they want it otherwise or it
+   has numbers that programs cannot read. */
 enum { READABLE = 10000 };
 
 enum { TEXT = 1, BYTES = 2 }; /* what a format knows */
@@ -14,7 +16,7 @@ typedef struct format {
     int kinds; /* the highest that it can hold */
     int coding, order;
     unsigned with;
-    void (*write)(output *o, grid *g);
+    void (*write)(output *o, const grid *g);
     product (*whole)(const request *r, const mesh *m, const surface *s); /* else this */
 } format;
 
@@ -74,19 +76,47 @@ int product_is_exact(const request *r)
     return f && !f->write;
 }
 
+/* A node on a sharp edge has no one normal; and a field may have the name. */
+static unsigned wanted(const format *f, const mesh *m, const surface *s)
+{
+    if (surface_edges_with(s, N3_EDGE_CREASE | N3_EDGE_HALF_CREASE) ||
+        mesh_field_find(m->point_field, m->point_fields, "Normals"))
+        return f->with & ~(unsigned)WITH_NODE_NORMALS;
+    return f->with;
+}
+
 static void make_grid(const request *r, const format *f, const mesh *m, const surface *s, grid *g)
 {
+    const unsigned with = wanted(f, m, s);
     n3_real unit = r->relative ? surface_size(s) : 1;
     int kind = r->kind ? r->kind : f->kinds > FACETS ? CUBIC : FACETS;
     progress("refining", -1, 1);
     if (r->tolerance > 0 && s->squares)
-        grid_refine(m, s, surface_level(s, r->tolerance * unit), f->with, g);
+        grid_refine(m, s, surface_level(s, r->tolerance * unit), with, g);
     else if (r->tolerance > 0)
-        grid_adapt(m, s, r->tolerance * unit, f->with, g);
+        grid_adapt(m, s, r->tolerance * unit, with, g);
     else if (r->level || kind == FACETS)
-        grid_refine(m, s, r->level ? r->level : 4, f->with, g);
+        grid_refine(m, s, r->level ? r->level : 4, with, g);
     else
-        grid_curve(m, s, kind, f->with, g);
+        grid_curve(m, s, kind, with, g);
+}
+
+/* VTK for one stops at a NaN in a text. */
+static int are_finite(const field *list, int fields, int rows)
+{
+    int i, k;
+    for (i = 0; i < fields; i++)
+        for (k = 0; k < rows * list[i].components; k++)
+            if (!(fabs(list[i].value[k]) <= DBL_MAX)) return 0;
+    return 1;
+}
+
+static int is_readable(const request *r, const format *f, const mesh *m, const grid *g)
+{
+    if (f->coding != (TEXT | BYTES)) return f->coding == TEXT;
+    if (r->text >= 0) return r->text;
+    return g->elements <= READABLE && are_finite(m->point_field, m->point_fields, m->points) &&
+           are_finite(m->cell_field, m->cell_fields, m->cells);
 }
 
 static product write_grid(const request *r, const format *f, const mesh *m, const surface *s)
@@ -95,11 +125,8 @@ static product write_grid(const request *r, const format *f, const mesh *m, cons
     product out = {NULL, NULL, 0, 0, 0, 0};
     grid g;
     output *o;
-    int readable;
     make_grid(r, f, m, s, &g);
-    readable = r->text >= 0 ? r->text : g.elements <= READABLE;
-    if (f->coding != (TEXT | BYTES)) readable = f->coding == TEXT;
-    o = output_open(r->path, readable ? AS_TEXT : f->order);
+    o = output_open(r->path, is_readable(r, f, m, &g) ? AS_TEXT : f->order);
     f->write(o, &g);
     output_close(o);
     out.kind = kinds[g.kind];

@@ -51,6 +51,13 @@ static int is_data(const array *a, const numbering *n)
            !(n->id && a->name == n->id->name);
 }
 
+/* The boundary of volumes takes their groups. */
+static int dimension_of(const mesh *m, int name)
+{
+    int dimension = m->name[name].dimension;
+    return m->boundary && dimension >= 2 ? 5 - dimension : dimension;
+}
+
 static void put_names(output *o, const mesh *m)
 {
     int i;
@@ -60,7 +67,7 @@ static void put_names(output *o, const mesh *m)
     put_number(o, m->names);
     for (i = 0; i < m->names; i++) {
         put_text(o, "\n");
-        put_number(o, m->name[i].dimension);
+        put_number(o, dimension_of(m, i));
         put_text(o, " ");
         put_number(o, m->name[i].number);
         put_text(o, " \"");
@@ -95,13 +102,21 @@ static double group_of(const grid *g, const field *f, int i, double none)
     return x >= -2147483647.0 && x <= 2147483647.0 ? floor(x) : none;
 }
 
+/* The physical group and the entity, of which Gmsh wants one for each group at least. */
+static void put_groups(output *o, const grid *g, const field *physical, const field *entity, int i)
+{
+    double group = group_of(g, physical, i, 0);
+    put_int(o, group, ' ');
+    put_int(o, group_of(g, entity, i, group > 1 ? group : 1), ' ');
+}
+
 /* In bytes, a head stands before all elements of one type: the type, their number, that of tags. */
 static void put_elements(output *o, const grid *g, const numbering *nodes, const numbering *n)
 {
     static const int types[] = {2, 9, 21};
     const mesh *m = g->mesh;
     const field *physical = mesh_field_find(m->cell_field, m->cell_fields, "gmsh:physical");
-    const field *geometrical = mesh_field_find(m->cell_field, m->cell_fields, "gmsh:geometrical");
+    const field *entity = mesh_field_find(m->cell_field, m->cell_fields, "gmsh:geometrical");
     int i, k;
     put_text(o, "$Elements\n");
     put_number(o, g->elements);
@@ -113,8 +128,7 @@ static void put_elements(output *o, const grid *g, const numbering *nodes, const
         if (i % 4096 == 0) progress("writing", i, g->elements);
         put_int(o, number_of(n, i), ' ');
         if (output_is_text(o)) put_int(o, types[g->kind], ' '), put_int(o, 2, ' ');
-        put_int(o, group_of(g, physical, i, 0), ' ');
-        put_int(o, group_of(g, geometrical, i, 1), ' ');
+        put_groups(o, g, physical, entity, i);
         for (k = 0; k < g->corners; k++)
             put_int(o, number_of(nodes, node[k]), k < g->corners - 1 ? ' ' : '\n');
     }
@@ -164,7 +178,7 @@ static void put_views(output *o, const char *section, array *list, const numberi
     free(list);
 }
 
-void grid_write_msh(output *o, grid *g)
+void grid_write_msh(output *o, const grid *g)
 {
     const mesh *m = g->mesh;
     numbering nodes = {NULL, NULL}, elements = {NULL, NULL};

@@ -3,7 +3,7 @@
 
 #include <float.h>
 
-void grid_write_obj(output *o, grid *g)
+void grid_write_obj(output *o, const grid *g)
 {
     int i;
     for (i = 0; i < g->nodes; i++) {
@@ -43,7 +43,7 @@ static void put_facet_point(output *o, n3_vec x)
 }
 
 /* The header must not begin with "solid", by which many readers tell an ASCII file. */
-void grid_write_stl(output *o, grid *g)
+void grid_write_stl(output *o, const grid *g)
 {
     const char header[80] = "binary STL";
     int t, i;

@@ -41,6 +41,7 @@ typedef struct vertices {
     int count, *node;
     int *fan;  /* which faces have it; NONE: not known yet */
     int *next; /* of the same node, 0: there is no other */
+    int *corner; /* three of each facet */
     n3_vec *normal;
 } vertices;
 
@@ -52,11 +53,9 @@ static void add_vertex(vertices *v, int node, int fan)
     v->node = room(v->node, n, sizeof *v->node);
     v->fan = room(v->fan, n, sizeof *v->fan);
     v->next = room(v->next, n, sizeof *v->next);
-    v->normal = room(v->normal, n, sizeof *v->normal);
     v->node[n] = node;
     v->fan[n] = fan;
     v->next[n] = 0;
-    v->normal[n] = n3_v(0, 0, 0);
     v->count++;
 }
 
@@ -93,33 +92,34 @@ static int vertex_of(vertices *v, int node, int fan)
     return i;
 }
 
-/* Afterwards the corners name vertices. */
-static vertices make_vertices(grid *g)
+static vertices make_vertices(const grid *g)
 {
-    vertices v = {0, NULL, NULL, NULL, NULL};
+    vertices v = {0, NULL, NULL, NULL, NULL, NULL};
     int *link = make_fans(g), *edge = node_edges(g), i;
     for (i = 0; i < g->nodes; i++) add_vertex(&v, i, NONE);
+    v.corner = allocate((size_t)g->elements, 3 * sizeof *v.corner);
     for (i = 0; i < 3 * g->elements; i++) {
-        int at =
-            vertex_of(&v, g->element[i], fan_of(g, link, edge, g->origin[i / 3], g->element[i]));
-        v.normal[at] = n3_add(v.normal[at], g->normal[g->corner[i]]);
-        g->corner[i] = at;
+        int node = g->element[i];
+        v.corner[i] = vertex_of(&v, node, fan_of(g, link, edge, g->origin[i / 3], node));
     }
-    for (i = 0; i < v.count; i++) v.normal[i] = n3_unit(v.normal[i]);
+    v.normal = grid_mean_normals(g, v.corner, v.count);
     free(link);
     free(edge);
     return v;
 }
 
-static int ply_type(int type) { return type == INT32 ? INT32 : FLOAT64; }
+/* PLY knows no integers of eight bytes. */
+static int ply_type(int type) { return type == INT64 ? FLOAT64 : type; }
 
 /* A name has no blanks; components are counted. */
 static void put_properties(output *o, const array *a)
 {
+    static const char *const types[] = {"property uchar ", "property int ", NULL, NULL,
+                                        "property double "};
     const char *c;
     int k;
     for (k = 0; k < a->components; k++) {
-        put_text(o, ply_type(a->type) == INT32 ? "property int " : "property double ");
+        put_text(o, types[ply_type(a->type)]);
         for (c = a->name; *c; c++) put_bytes(o, *c > ' ' && *c < 127 ? c : "_", 1);
         if (a->components > 1) put_text(o, "_"), put_number(o, k);
         put_text(o, "\n");
@@ -163,7 +163,7 @@ static void put_vec_value(output *o, n3_vec a)
     put_value(o, FLOAT64, (double)a.z);
 }
 
-void grid_write_ply(output *o, grid *g)
+void grid_write_ply(output *o, const grid *g)
 {
     vertices v = make_vertices(g);
     array *node_arrays = grid_node_arrays(g), *face_arrays = grid_element_arrays(g);
@@ -181,7 +181,7 @@ void grid_write_ply(output *o, grid *g)
         put_value(o, UINT8, 3);
         for (k = 0; k < 3; k++) {
             put_separator(o, ' ');
-            put_value(o, INT32, g->corner[3 * i + k]);
+            put_value(o, INT32, v.corner[3 * i + k]);
         }
         put_row(o, face_arrays, i);
     }
@@ -190,5 +190,6 @@ void grid_write_ply(output *o, grid *g)
     free(v.node);
     free(v.fan);
     free(v.next);
+    free(v.corner);
     free(v.normal);
 }

@@ -12,66 +12,55 @@ static int cell_type(const grid *g)
     return types[g->kind];
 }
 
-/* Viewers shade by the normals where there is no crease: a node on one has one normal for faces
-   that differ there. */
-static int has_creases(const grid *g)
-{
-    return surface_edges_with(g->surface, N3_EDGE_CREASE | N3_EDGE_HALF_CREASE) > 0;
-}
-
-static array numbers(const char *name, int components, int type, int rows)
-{
-    array a = {NULL, 0, 0, 0, NULL, NULL, NULL, 0, 0};
-    a.name = name;
-    a.components = components;
-    a.type = type;
-    a.rows = rows;
-    return a;
-}
-
-static array normals_of(const grid *g)
-{
-    array a = numbers("normal", 3, FLOAT64, g->nodes);
-    a.real = &g->node_normal->x;
-    return a;
-}
-
 static array connectivity_of(const grid *g)
 {
-    array a = numbers("connectivity", g->corners, INT32, g->elements);
+    array a = {"connectivity", 0, INT32, 0, NULL, NULL, NULL, 0, 0};
+    a.components = g->corners;
+    a.rows = g->elements;
     a.whole = g->element;
     return a;
 }
 
-static array offsets_of(const grid *g)
+/* first, first + step, ... */
+static array count_up(const char *name, int type, const grid *g, int first, int step)
 {
-    array a = numbers("offsets", 1, INT64, g->elements);
-    a.first = a.step = g->corners;
-    return a;
-}
-
-static array types_of(const grid *g)
-{
-    array a = numbers("types", 1, UINT8, g->elements);
-    a.first = cell_type(g);
+    array a = {NULL, 1, 0, 0, NULL, NULL, NULL, 0, 0};
+    a.name = name;
+    a.type = type;
+    a.rows = g->elements;
+    a.first = first;
+    a.step = step;
     return a;
 }
 
 /* ---- VTU ---- */
 
+/* The bytes of the character of UTF-8 at s; 0 if none begins there that XML has. */
+static size_t character_bytes(const char *s)
+{
+    const unsigned char *b = (const unsigned char *)s;
+    size_t n = *b < ' ' ? 0 : *b < 0x80 ? 1 : *b < 0xc2 ? 0 : *b < 0xe0 ? 2 : *b < 0xf0 ? 3 : 4, i;
+    if (*b > 0xf4) return 0;
+    for (i = 1; i < n; i++)
+        if ((b[i] & 0xc0) != 0x80) return 0;
+    return n;
+}
+
 /* Names in attributes. */
 static void put_escaped(output *o, const char *s)
 {
-    for (; *s; s++) {
+    while (*s) {
         const char *as = *s == '&'   ? "&amp;"
                          : *s == '<' ? "&lt;"
                          : *s == '>' ? "&gt;"
                          : *s == '"' ? "&quot;"
                                      : NULL;
-        if (as)
-            put_text(o, as);
+        size_t n = character_bytes(s);
+        if (as || !n)
+            put_text(o, as ? as : "_");
         else
-            put_bytes(o, s, 1);
+            put_bytes(o, s, n);
+        s += n ? n : 1;
     }
 }
 
@@ -100,7 +89,6 @@ static sections sections_of(const grid *g)
 {
     sections s = {NULL, {0}};
     int n = 0;
-    append(&s, &n, normals_of(g));
     append_all(&s, &n, grid_node_arrays(g));
     s.end[POINT_DATA] = n;
     append_all(&s, &n, grid_element_arrays(g));
@@ -108,8 +96,8 @@ static sections sections_of(const grid *g)
     append(&s, &n, grid_places(g));
     s.end[POINTS] = n;
     append(&s, &n, connectivity_of(g));
-    append(&s, &n, offsets_of(g));
-    append(&s, &n, types_of(g));
+    append(&s, &n, count_up("offsets", INT64, g, g->corners, g->corners));
+    append(&s, &n, count_up("types", UINT8, g, cell_type(g), 0));
     s.end[CELLS] = n;
     return s;
 }
@@ -119,7 +107,8 @@ static double bytes_of(const array *a)
     return (double)a->rows * a->components * type_bytes(a->type);
 }
 
-/* In a list of cells the components are VTK's own affair. */
+/* In a list of cells the components are VTK's own affair. A single one goes without saying, and so
+   meshio makes it a column. */
 static void put_vtu_array(output *o, const array *a, int section, double *offset)
 {
     static const char *const types[] = {"UInt8", "Int32", "Int64", "Float32", "Float64"};
@@ -127,7 +116,7 @@ static void put_vtu_array(output *o, const array *a, int section, double *offset
     put_text(o, types[a->type]);
     put_text(o, "\" Name=\"");
     put_escaped(o, a->name);
-    if (section != CELLS) {
+    if (a->components > 1 && section != CELLS) {
         put_text(o, "\" NumberOfComponents=\"");
         put_number(o, a->components);
     }
@@ -153,7 +142,7 @@ static void put_appended(output *o, const array *list, int n)
     put_text(o, "\n</AppendedData>\n");
 }
 
-void grid_write_vtu(output *o, grid *g)
+void grid_write_vtu(output *o, const grid *g)
 {
     static const char *const names[] = {"PointData", "CellData", "Points", "Cells"};
     sections s = sections_of(g);
@@ -169,7 +158,7 @@ void grid_write_vtu(output *o, grid *g)
     for (section = 0; section < SECTIONS; section++) {
         put_text(o, "<");
         put_text(o, names[section]);
-        put_text(o, section == POINT_DATA && !has_creases(g) ? " Normals=\"normal\">\n" : ">\n");
+        put_text(o, section == POINT_DATA && g->node_normal ? " Normals=\"Normals\">\n" : ">\n");
         for (; i < s.end[section]; i++) put_vtu_array(o, &s.list[i], section, &offset);
         put_text(o, "</");
         put_text(o, names[section]);
@@ -246,10 +235,9 @@ static void put_cells(output *o, const grid *g)
     }
 }
 
-void grid_write_vtk(output *o, grid *g)
+void grid_write_vtk(output *o, const grid *g)
 {
-    array a = grid_places(g), normal = normals_of(g);
-    array *cell_arrays = grid_element_arrays(g);
+    array a = grid_places(g), *cell_arrays = grid_element_arrays(g);
     put_text(o, "# vtk DataFile Version 3.0\nsmooth\n");
     put_text(o, output_is_text(o) ? "ASCII\n" : "BINARY\n");
     put_line(o, "DATASET UNSTRUCTURED_GRID\nPOINTS ", g->nodes, -1, " double\n");
@@ -257,11 +245,6 @@ void grid_write_vtk(output *o, grid *g)
     put_text(o, "\n");
     put_cells(o, g);
     put_line(o, "\nPOINT_DATA ", g->nodes, -1, "\n");
-    if (!has_creases(g)) {
-        put_text(o, "NORMALS normal double\n");
-        put_array(o, &normal);
-        put_text(o, "\n");
-    }
     put_fields(o, grid_node_arrays(g));
     if (cell_arrays->name) put_line(o, "CELL_DATA ", g->elements, -1, "\n");
     put_fields(o, cell_arrays);

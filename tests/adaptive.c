@@ -395,26 +395,46 @@ static double to_triangle(n3_vec p, const n3_vec x[3])
     return within ? fabs((double)n3_dot(n3_sub(p, x[0]), n)) : best;
 }
 
-/* The largest distance of a patch's points to the nearest of the triangles. The points are in the
-   middle of the triangles of a lattice, or on ab, where no point of a level below 36 is. */
+enum { LATTICE = 12, SPOTS = LATTICE * (LATTICE + 1) / 2 + LATTICE };
+
+/* Points of the patch: in the middle of the triangles of a lattice, or on ab, where no point of a
+   level below 36 is. */
+static void spots_of(const n3_patch *p, n3_vec y[SPOTS])
+{
+    int i, j, n = 0;
+    for (j = -1; j < LATTICE; j++)
+        for (i = 0; i < LATTICE - (j > 0 ? j : 0); i++)
+            y[n++] = n3_patch_point(p, (n3_real)(3 * i + 1) / (3 * LATTICE),
+                                    (n3_real)(j < 0 ? 0 : 3 * j + 1) / (3 * LATTICE));
+}
+
+/* Lowers the distances to the triangle's, which lies within a sphere about its middle. */
+static void approach(const n3_vec x[3], const n3_vec y[SPOTS], double best[SPOTS])
+{
+    n3_vec middle = n3_mul((n3_real)1 / 3, n3_add(n3_add(x[0], x[1]), x[2]));
+    double radius = 0;
+    int i;
+    for (i = 0; i < 3; i++) radius = fmax(radius, 1.001 * (double)n3_len(n3_sub(x[i], middle)));
+    for (i = 0; i < SPOTS; i++) {
+        n3_vec way = n3_sub(y[i], middle);
+        double reach = best[i] + radius;
+        if ((double)n3_dot(way, way) < reach * reach) best[i] = fmin(best[i], to_triangle(y[i], x));
+    }
+}
+
+/* The largest distance of a patch's points to the nearest of the triangles. */
 static double off_patch(const n3_patch *p, const fine *f, int first, int last)
 {
-    enum { LATTICE = 12 };
-    double most = 0;
-    int i, j, k, q;
-    for (j = -1; j < LATTICE; j++)
-        for (i = 0; i < LATTICE - (j > 0 ? j : 0); i++) {
-            n3_real u = (n3_real)(3 * i + 1) / (3 * LATTICE);
-            n3_real v = (n3_real)(j < 0 ? 0 : 3 * j + 1) / (3 * LATTICE);
-            n3_vec y = n3_patch_point(p, u, v);
-            double best = 1e300, d;
-            for (k = first; k < last; k++) {
-                n3_vec x[3];
-                for (q = 0; q < 3; q++) x[q] = f->point[f->triangle[3 * k + q]];
-                if ((d = to_triangle(y, x)) < best) best = d;
-            }
-            if (best > most) most = best;
-        }
+    n3_vec y[SPOTS], x[3];
+    double best[SPOTS], most = 0;
+    int i, k;
+    spots_of(p, y);
+    for (i = 0; i < SPOTS; i++) best[i] = 1e100;
+    for (k = first; k < last; k++) {
+        for (i = 0; i < 3; i++) x[i] = f->point[f->triangle[3 * k + i]];
+        approach(x, y, best);
+    }
+    for (i = 0; i < SPOTS; i++) most = fmax(most, best[i]);
     return most;
 }
 
