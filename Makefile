@@ -7,7 +7,7 @@ BUILD   = build
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 
 COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic -I. $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@
-EXAMPLES = smooth brown demo_mesh figure7 $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
+EXAMPLES = smooth brown join seams demo_mesh figure7 $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
 FIGURES  = facts scale accuracy bench_double bench_float
 PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) $(FIGURES))
 TESTS    = $(addprefix $(BUILD)/,test_double test_float)
@@ -159,7 +159,7 @@ $(BUILD)/%.svg: $(BUILD)/%
 $(BUILD)/%_float: CPPFLAGS += -DNAGATA3_FLOAT
 $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compiles in half the time
 $(PROGRAMS) $(TOOLS) $(TESTS) $(BROWN_TESTS) $(JOIN_TESTS): $(HEADERS) | $(BUILD)
-$(BUILD)/join $(BUILD)/seams $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(BUILD)
+$(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(BUILD)
 $(BUILD):
 	mkdir -p $@
 

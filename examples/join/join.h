@@ -30,7 +30,7 @@
  * It breaks down where its author says, and a test shows each place: tangents that meet behind a
  * point; equal parallel ones; loops that bend abruptly; parallel ones beside others.
  *
- * JOIN_STRAIGHT: straight curves, for comparison.
+ * JOIN_STRAIGHT: straight lines, for comparison.
  *
  * THE CALLS, in order; all memory is the caller's
  *
@@ -352,8 +352,9 @@ NAGATA3_API n3_real joini_reach(n3_real a, n3_real b)
    The mean of these, laid into the mean plane, turns into the planes' intersection by the share
    that a crease has in the edges of nagata3.h, all of it from 5.7 degrees between the planes on,
    none below 1.1 or where it runs along the border; and no farther than it still leaves both
-   triangles. The seam then keeps some of the angle between the planes, however many rows there
-   are: at most 0.9 degrees, but half of the angle where the planes meet along the border. */
+   triangles. What a seam's triangle on this curve keeps of the angle between the planes, however
+   many rows there are, is at most 0.9 degrees, but half of it where the planes meet along the
+   border; there it takes the diagonal to the next curve. */
 NAGATA3_API n3_vec joini_tangent(const n3_vec plane[2], const n3_vec out[2])
 {
     n3_vec mean = n3_unit(n3_add(out[0], out[1]));
@@ -688,6 +689,7 @@ NAGATA3_API n3_edge joini_fujita_curve(join_vertex a, join_vertex b, n3_vec s,
 {
     n3_vec d = n3_sub(b.x, a.x), q, r;
     n3_real sine = n3_dot(n3_cross(a.t, b.t), s), f0, f1;
+    int short_a, short_b; /* C is at most half as far from one end as from the other */
     if (n3i_abs(sine) <= JOIN_PARALLEL) { /* the middle of the ends, dropped onto both lines */
         f0 = n3_dot(d, a.t) / 2;
         f1 = -n3_dot(d, b.t) / 2;
@@ -696,10 +698,12 @@ NAGATA3_API n3_edge joini_fujita_curve(join_vertex a, join_vertex b, n3_vec s,
     }
     f0 = n3_dot(n3_cross(d, b.t), s) / sine;
     f1 = n3_dot(n3_cross(d, a.t), s) / sine;
-    q = n3_mul(part[0] * f0, a.t);
+    q = n3_mul(part[0] * f0, a.t);                                                  /* (F2.4.3) */
     r = n3_mul(part[1] * f1, b.t);
-    if (n3i_abs(f0) <= n3i_abs(f1) / 2) q = n3_mul((f0 < 0 ? -1 : 1) * n3i_abs(f1) / 2, a.t);
-    else if (n3i_abs(f1) <= n3i_abs(f0) / 2) r = n3_mul((f1 < 0 ? -1 : 1) * n3i_abs(f0) / 2, b.t);
+    short_a = n3i_abs(f0) <= n3i_abs(f1) / 2;
+    short_b = n3i_abs(f1) <= n3i_abs(f0) / 2;
+    if (short_a) q = n3_mul((f0 < 0 ? -1 : 1) * n3i_abs(f1) / 2, a.t);                /* (F2.5) */
+    else if (short_b) r = n3_mul((f1 < 0 ? -1 : 1) * n3i_abs(f0) / 2, b.t);
     return n3i_edge_of(a.x, n3_add(a.x, q), n3_add(b.x, r), b.x);
 }
 
@@ -916,7 +920,7 @@ NAGATA3_API int joini_cut(const join_bridge *b, int r, int i, int k, const n3_ve
     n3_vec x[4];
     n3_real gain, one, other;
     int c;
-    if (b->fixed) return 1;
+    if (b->fixed) return 1;                                                         /* (F2.4.4) */
     for (c = 0; c < 4; c++) x[c] = point[cell[c]];
     gain = joini_gain(b, r, i, k, x);
     if (n3i_abs(gain) > (n3_real)1 / 64) return gain > 0;
