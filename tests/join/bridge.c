@@ -447,23 +447,25 @@ static void move_tubes(pair *p, n3_real scale, n3_vec by)
     CHECK(join_rims_match(&p->a.rim, &p->b.rim, NULL, 0, NULL) == JOIN_OK, 0);
 }
 
-/* Scaling by a power of two changes no bit. */
+/* Scaling by a power of two changes no bit. Both are asked for in one place, as two copies of the
+   header's code may round differently where the compiler contracts products and sums. */
 static void test_scaling(void)
 {
-    static const int exponent[] = {-100, -1, 30, 60};
+    static const int exponent[] = {-30, -1, 30, 60};
     int row, i;
     for (row = 0; row < 4 * INPUTS; row++) {
-        const int e = exponent[row / INPUTS];
+        const n3_real scale = (n3_real)ldexp(1, exponent[row / INPUTS]);
         pair *p = pair_open(row % INPUTS, AROUND, row % 2 ? AROUND : 17);
-        joined j = pair_join(p, JOIN_NAGATA, 4), scaled;
-        move_tubes(p, (n3_real)ldexp(1, e), n3_v(0, 0, 0));
-        scaled = pair_join(p, JOIN_NAGATA, 4);
-        for (i = 0; i < j.mesh.points; i++)
-            CHECK_SAME(scaled.point[i], n3_mul((n3_real)ldexp(1, e), j.point[i]), row);
-        CHECK(memcmp(scaled.triangle, j.triangle, 3 * (size_t)j.mesh.triangles * sizeof(int)) == 0,
-              row);
-        joined_free(&j);
-        joined_free(&scaled);
+        joined j[2];
+        for (i = 0; i < 2; i++) {
+            move_tubes(p, i ? scale : 1, n3_v(0, 0, 0));
+            j[i] = pair_join(p, JOIN_NAGATA, 4);
+        }
+        for (i = 0; i < j[0].mesh.points; i++)
+            CHECK_SAME(j[1].point[i], n3_mul(scale, j[0].point[i]), row);
+        i = memcmp(j[0].triangle, j[1].triangle, 3 * (size_t)j[0].mesh.triangles * sizeof i);
+        CHECK(i == 0, row);
+        for (i = 0; i < 2; i++) joined_free(&j[i]);
         pair_free(p);
     }
 }
