@@ -186,6 +186,10 @@ if [ -e $meshes/gc_cat_head.obj ]; then
     same 'two cats' "$said" \
         "join: the seams bend by at most 2.88 degrees at $cat, 3.43 at $dir/cat.obj"
     same 'two cats: closed' "$(open_sides "$dir/out.obj")" '0 0'
+    awk '$1 == "v" { $3 = -$3 - 3; $4 = -$4 } { print }' $cat >"$dir/cat.obj"
+    said=$("$join" $cat "$dir/cat.obj" -o "$dir/out.obj" --rows 31 2>&1 | sed -n 2p)
+    same 'two cats, neck to neck' "$said" \
+        "join: the seams bend by at most 4.36 degrees at $cat, 4.36 at $dir/cat.obj"
     quiet $meshes/gc_lego.ply "$dir/cat.obj" -o "$dir/out.obj"
     same 'a brick and a cat: closed' "$(open_sides "$dir/out.obj")" '0 0'
     quiet $meshes/osd_loop_saddle_edgecorner.obj $cat -o "$dir/out.obj"
