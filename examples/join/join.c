@@ -364,15 +364,18 @@ static void make_bridge(const options *o, join_bridge *bridge, mesh *m)
 
 static void report(const options *o, const join_bridge *bridge, const surface *s)
 {
-    double degrees[2];
+    double degrees[3];
     int i;
-    for (i = 0; i < 2; i++) {
+    for (i = 0; i < 3; i++) {
         n3_real jump[2];
         join_seam(bridge, &s->mesh, &s->topology, i, jump);
         degrees[i] = 2 * asin(fmin((double)jump[1] / 2, 1)) * 180 / 3.14159265358979323846;
     }
     fprintf(stderr, "%s: loops of %d and %d points, %d rows between them\n", program,
             bridge->a.count, bridge->b.count, bridge->rows);
+    if (degrees[2] > 90)
+        fprintf(stderr, "%s: the bridge folds: it may cut through itself; try another --strength\n",
+                program);
     fprintf(stderr, "%s: the seams bend by at most %.3g degrees at %s, %.3g at %s\n", program,
             degrees[0], o->side[0].path, degrees[1], o->side[1].path);
     if (bridge->b.step > 0)

@@ -189,11 +189,11 @@ NAGATA3_API join_status join_counts(const join_bridge *bridge, int *points, int 
 NAGATA3_API join_status join_mesh(const join_bridge *bridge, const n3_vec *moved, n3_vec *point,
                                   int *triangle);
 
-/* How the joined mesh bends across its seam with A, end 0, or with B: the least and the largest
-   |n - n'|, 2 sin of half the angle, of two triangles' unit normals. Returns the number of edges
-   of the seam. */
+/* How the joined mesh bends across its seam with A, where 0, or with B, 1, or within the bridge, 2:
+   the least and the largest |n - n'|, 2 sin of half the angle, of two triangles' unit normals.
+   Beyond sqrt 2 the bridge folds. Returns the number of edges there. */
 NAGATA3_API int join_seam(const join_bridge *bridge, const n3_mesh *joined,
-                          const n3_topology *topology, int end, n3_real jump[2]);
+                          const n3_topology *topology, int where, n3_real jump[2]);
 
 /* ---- Definitions: status ---- */
 
@@ -339,11 +339,11 @@ NAGATA3_API n3_vec joini_way_out(const join_border *b, int side)
     return n3_unit(n3_cross(n3_unit(n3_sub(x1, x0)), n));
 }
 
-/* The part of the way from one direction to another up to where it comes within 14.5 degrees of
+/* The part of the way from one direction to another up to where it comes within 30 degrees of
    the border: a and b are the cosines of both with the way out across it. */
 NAGATA3_API n3_real joini_reach(n3_real a, n3_real b)
 {
-    const n3_real low = (n3_real)1 / 4;
+    const n3_real low = (n3_real)1 / 2;
     if (b >= low) return 1;
     return a > low ? (a - low) / (a - b) : 0;
 }
@@ -1002,7 +1002,7 @@ NAGATA3_API int joini_origin(const join_bridge *b, int triangle)
 }
 
 NAGATA3_API int join_seam(const join_bridge *b, const n3_mesh *joined, const n3_topology *t,
-                          int end, n3_real jump[2])
+                          int where, n3_real jump[2])
 {
     int e, k, two[2], count = 0;
     jump[0] = jump[1] = 0;
@@ -1010,7 +1010,7 @@ NAGATA3_API int join_seam(const join_bridge *b, const n3_mesh *joined, const n3_
         n3_real d;
         if (!n3i_is_regular(joined, t, e, two)) continue;
         k = joini_origin(b, two[0] / 3) == 2;
-        if (joini_origin(b, two[k] / 3) != end || joini_origin(b, two[!k] / 3) != 2) continue;
+        if (joini_origin(b, two[k] / 3) != where || joini_origin(b, two[!k] / 3) != 2) continue;
         d = n3_len(n3_sub(n3i_face_of(joined, two[0] / 3).normal,
                           n3i_face_of(joined, two[1] / 3).normal));
         if (count == 0 || d < jump[0]) jump[0] = d;
