@@ -62,6 +62,9 @@ pictures: $(BUILD)/pictures $(BUILD)/smooth $(BUILD)/demo_mesh  ## what smooth d
 join: $(JOIN) $(BUILD)/join $(BUILD)/seams  ## two meshes joined by a smooth bridge
 	@sh tests/run.sh $(JOIN) "sh tests/join/join_test.sh $(BUILD)/join $(BUILD)/seams"
 
+joined: $(BUILD)/join $(BUILD)/smooth $(BUILD)/seams  ## pictures of joined meshes in build/joined
+	@sh examples/join/pictures.sh $(BUILD)/join $(BUILD)/smooth $(BUILD)/seams $(BUILD)/joined
+
 seams: $(BUILD)/seams  ## the README's table of the angles at the seams of joined meshes
 	@$(BUILD)/seams
 
@@ -179,5 +182,6 @@ $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compil
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown quads join seams files pictures large fuzz ledger dialects \
-        mutants bench bench-counts accuracy sweep facts golden gallery figures install help clean
+.PHONY: all demo test brown quads join joined seams files pictures large fuzz \
+        ledger dialects mutants bench bench-counts accuracy sweep facts golden gallery figures \
+        install help clean
