@@ -22,7 +22,8 @@
  * CONTENTS
  *
  *     Part I, the paper     vectors, segment, curve plane, edge, patch, evaluator
- *     Part II, the mesh     what a mesh of triangles needs on top of single patches
+ *     Part II, the mesh     what a mesh of triangles needs on top of single patches; and what is asked
+ *                           of a patch: boxes, parts, curvature, the nearest point, rays, sums
  *
  * THE SURFACE
  *
@@ -1131,7 +1132,8 @@ NAGATA3_API n3_status n3_mesh_field(const n3_mesh *m, const n3_topology *t, int 
 /* ---- Report ---- */
 
 /* False if the patch certainly has no fold: all control vectors of its normal, du x dv, a quartic,
-   make an acute angle with their sum. True says that it may have one. */
+   make an acute angle with the normal of its outline. True says that it may have one; n3_patch_folds
+   looks closer. */
 NAGATA3_API int n3_patch_may_fold(const n3_patch *p);
 
 /* What is in a mesh and what became of it. A count that could not be taken, for want of the
@@ -2450,40 +2452,10 @@ NAGATA3_API n3_status n3_mesh_field(const n3_mesh *m, const n3_topology *t, int 
 
 /* ---- Definitions: report ---- */
 
-/* The control vectors of du x dv at [i][j], the exponents of u and v, but for a factor above 0 each:
-   sums of the crosses of the quadratic nets of du and dv, in the order of n3_patch2.p, in which the
-   Bernstein polynomials of the last three carry a 2. */
-NAGATA3_API void n3i_normal_net(const n3_patch *p, n3_vec out[5][5])
-{
-    static const int from[6] = {0, 4, 7, 3, 9, 8}, to_u[6] = {3, 1, 6, 4, 5, 9};
-    static const int to_v[6] = {8, 5, 2, 9, 6, 7};
-    static const int power[6][2] = {{0, 0}, {2, 0}, {0, 2}, {1, 0}, {1, 1}, {0, 1}};
-    int a, b, i, j;
-    for (i = 0; i < 5; i++)
-        for (j = 0; j < 5; j++) out[i][j] = n3_v(0, 0, 0);
-    for (a = 0; a < 6; a++)
-        for (b = 0; b < 6; b++) {
-            n3_vec du = n3_sub(p->p[to_u[a]], p->p[from[a]]);
-            n3_vec dv = n3_sub(p->p[to_v[b]], p->p[from[b]]);
-            int times = (a > 2 ? 2 : 1) * (b > 2 ? 2 : 1);
-            i = power[a][0] + power[b][0];
-            j = power[a][1] + power[b][1];
-            out[i][j] = n3_add(out[i][j], n3_mul((n3_real)times, n3_cross(du, dv)));
-        }
-}
-
 NAGATA3_API int n3_patch_may_fold(const n3_patch *p)
 {
-    n3_patch boxed = n3i_patch_boxed(p);
-    n3_vec net[5][5], sum = n3_v(0, 0, 0);
-    int i, j;
-    n3i_normal_net(&boxed, net);
-    for (i = 0; i < 5; i++)
-        for (j = 0; i + j < 5; j++) sum = n3_add(sum, net[i][j]);
-    for (i = 0; i < 5; i++)
-        for (j = 0; i + j < 5; j++)
-            if (!(n3_dot(net[i][j], sum) > 0)) return 1;
-    return 0;
+    n3_patch q = n3i_patch_boxed(p);
+    return n3_patch_folds(&q, n3i_net_area(q.p), 1) != N3_NO;
 }
 
 /* A report on nothing: what takes the topology or the net is not known. */

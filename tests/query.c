@@ -574,6 +574,33 @@ static void nearest_scaled_or_broken(void)
 
 /* ---- Folds ---- */
 
+/* Seen along z, z < 0 too, the determinant of the Jacobian is 9 sum det[5 i + j] u^i v^j w^k over
+   i + j + k = 4, in units of the largest coordinate; its terms are below 16, and there are 36. */
+static void net_of_the_determinant(void)
+{
+    rng r = {49};
+    long q, count = sample_count(1000);
+    for (q = 0; q < count; q++) {
+        n3_patch p = random_net(&r);
+        n3i_cell c;
+        n3_real det[25], u, v, z = q % 2 ? 1 : -3, sum = 0, size, largest;
+        n3_jet jet;
+        int i, j, k;
+        size = n3i_look_along(&p, p.p[9], n3_v(0, 0, z), 2, &c);
+        largest = n3i_jacobian(&c, 1 / size, det);
+        inner_weights(&r, &u, &v);
+        jet = n3_patch_jet(&p, u, v);
+        for (i = 0; i < 5; i++)
+            for (j = 0; i + j < 5; j++) {
+                n3_real weight = 9 * size * size;
+                for (k = 0; k < 4; k++) weight *= k < i ? u : k < i + j ? v : 1 - u - v;
+                sum += weight * det[5 * i + j];
+                CHECK(fabs((double)det[5 * i + j]) <= 16 * (double)largest, q);
+            }
+        CHECK_NEAR(sum, n3_cross(jet.du, jet.dv).z, 9 * 36 * 16 * EPS, q);
+    }
+}
+
 /* A definite answer agrees with a lattice of normals; more parts decide what fewer do not. */
 static void folds_along_directions(void)
 {
@@ -738,6 +765,7 @@ const test_case tests_query[] = {{"boxes_hold_and_fit", boxes_hold_and_fit},
                                  {"feet_on_shared_edges", feet_on_shared_edges},
                                  {"nearest_on_an_edge", nearest_on_an_edge},
                                  {"nearest_scaled_or_broken", nearest_scaled_or_broken},
+                                 {"net_of_the_determinant", net_of_the_determinant},
                                  {"folds_along_directions", folds_along_directions},
                                  {"volumes_add_up", volumes_add_up},
                                  {"volumes_of_bodies", volumes_of_bodies},

@@ -181,8 +181,8 @@ static void check_hits(const n3_patch *p, n3_vec from, n3_vec along, const n3_hi
     for (i = 0; i < n; i++) {
         n3_hit h = hit[i];
         n3_jet j = n3_patch_jet(p, h.u, h.v);
-        n3_vec n = n3_cross(j.du, j.dv);
-        int touches = fabs((double)n3_dot(n, n3_unit(along))) <= 64 * sqrt(EPS) * size * size;
+        double turn = fabs((double)n3_dot(n3_cross(j.du, j.dv), n3_unit(along)));
+        int touches = turn <= 64 * sqrt(EPS) * size * size;
         CHECK_SAME(h.x, n3_patch_point(p, h.u, h.v), row);
         CHECK_VEC(n3_add(from, n3_mul(h.t, along)), h.x, (touches ? sqrt(EPS) : 128 * EPS) * size,
                   row);
