@@ -4,22 +4,31 @@ CXX    ?= c++
 CFLAGS ?= -O2
 PREFIX ?= /usr/local
 BUILD   = build
+MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 
 COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic -I. $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@
-EXAMPLES = smooth demo_mesh figure7 $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
+EXAMPLES = smooth brown demo_mesh figure7 $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
 FIGURES  = facts scale accuracy bench_double bench_float
 PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) $(FIGURES))
 TESTS    = $(addprefix $(BUILD)/,test_double test_float)
-TOOLS    = $(addprefix $(BUILD)/,write_seeds dump)
+TOOLS    = $(addprefix $(BUILD)/,write_seeds dump pictures)
 TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c)) $(wildcard bench/accuracy_m*.c \
            bench/accuracy_surface.c)
 MESH     = $(wildcard examples/mesh*.c)
-SMOOTH   = $(wildcard examples/smooth*.c) $(MESH)
+PICTURE  = $(addprefix examples/,png.c deflate.c colour.c) $(wildcard examples/picture*.c)
+PICTURES = $(wildcard tests/pictures/*.c) $(PICTURE) $(MESH)
+SMOOTH   = $(wildcard examples/smooth*.c) $(PICTURE) $(MESH)
+BROWN    = $(wildcard examples/brown/*.c) $(filter-out examples/smooth.c,$(SMOOTH))
+BROWN_TESTS = $(addprefix $(BUILD)/,brown_double brown_float)
+BROWN_SRC = $(wildcard tests/brown/*.c) tests/check.c tests/samples.c
+JOIN     = examples/join/join.c $(filter-out examples/smooth.c,$(SMOOTH))
+JOIN_TESTS = $(addprefix $(BUILD)/,join_double join_float)
+JOIN_SRC = $(wildcard tests/join/*.c) tests/check.c tests/shapes.c examples/join/inputs.c
 SEEDS    = $(addprefix tests/fuzz/,mutate.c seeds.c)
 FUZZ     = tests/fuzz/sandbox.c $(filter-out examples/mesh_file.c,$(MESH))
 SANITIZE = -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
 ACCURACY = $(wildcard bench/accuracy*.c)
-HEADERS  = $(wildcard nagata3.h tests/*.h tests/fuzz/*.h examples/*.h bench/*.h)
+HEADERS  = $(wildcard nagata3.h tests/*.h tests/*/*.h examples/*.h examples/*/*.h bench/*.h)
 VERSION  = $(shell sed -n 's/^.define NAGATA3_VERSION "\(.*\)"/\1/p' nagata3.h)
 LIB      = $(DESTDIR)$(PREFIX)/lib
 
@@ -34,8 +43,21 @@ demo: $(BUILD)/smooth $(BUILD)/demo_mesh  ## smooth a small mesh into build/demo
 test: $(TESTS) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests; N3_SAMPLES=n scales them
 	@sh tests/run.sh $(TESTS) "sh tests/smooth_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
 
+brown: $(BROWN_TESTS) $(BUILD)/brown $(BUILD)/smooth  ## Brown's surfaces, the program too
+	@sh tests/run.sh $(BROWN_TESTS) "sh tests/brown/brown_test.sh $(BUILD)/brown $(BUILD)/smooth"
+
 files: $(TOOLS) $(BUILD)/smooth  ## every variant of every format that smooth reads
 	@sh tests/run.sh "sh tests/files_test.sh $(BUILD)/smooth $(BUILD)/write_seeds $(BUILD)/dump"
+
+pictures: $(BUILD)/pictures $(BUILD)/smooth $(BUILD)/demo_mesh  ## what smooth draws
+	@sh tests/run.sh $(BUILD)/pictures \
+	    "sh tests/pictures_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
+
+join: $(JOIN_TESTS) $(BUILD)/join $(BUILD)/seams  ## two meshes joined by a smooth bridge
+	@sh tests/run.sh $(JOIN_TESTS) "sh tests/join/join_test.sh $(BUILD)/join $(BUILD)/seams"
+
+seams: $(BUILD)/seams  ## the README's table of the angles at the seams of joined meshes
+	@$(BUILD)/seams
 
 fuzz: $(BUILD)/fuzz  ## read broken files of every format under the sanitizers; FILES=n of them
 	@$(BUILD)/fuzz $(FILES)
@@ -98,6 +120,18 @@ $(BUILD)/test_double $(BUILD)/test_float: $(TEST_SRC)
 	$(COMPILE) -Itests $(TEST_SRC) -lm
 $(BUILD)/smooth: $(SMOOTH)
 	$(COMPILE) $(SMOOTH) -lm
+$(BUILD)/pictures: $(PICTURES)
+	$(COMPILE) -Iexamples $(PICTURES) -lm
+$(BUILD)/brown: $(BROWN)
+	$(COMPILE) $(BROWN) -lm
+$(BROWN_TESTS): $(BROWN_SRC)
+	$(COMPILE) -Itests -Iexamples/brown $(BROWN_SRC) -lm
+$(BUILD)/join: $(JOIN)
+	$(COMPILE) -Iexamples $(JOIN) -lm
+$(BUILD)/seams: examples/join/seams.c examples/join/inputs.c
+	$(COMPILE) $(filter %.c,$^) -lm
+$(JOIN_TESTS): $(JOIN_SRC)
+	$(COMPILE) -Itests -Iexamples/join $(JOIN_SRC) -lm
 $(BUILD)/accuracy: $(ACCURACY)
 	$(COMPILE) $(ACCURACY) -lm
 $(BUILD)/dump: tests/fuzz/dump.c $(MESH)
@@ -121,9 +155,10 @@ $(BUILD)/%.svg: $(BUILD)/%
 
 $(BUILD)/%_float: CPPFLAGS += -DNAGATA3_FLOAT
 $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compiles in half the time
-$(PROGRAMS) $(TOOLS) $(TESTS) $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(BUILD)
+$(PROGRAMS) $(TOOLS) $(TESTS) $(BROWN_TESTS) $(JOIN_TESTS): $(HEADERS) | $(BUILD)
+$(BUILD)/join $(BUILD)/seams $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(BUILD)
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test files fuzz ledger dialects mutants bench accuracy sweep facts golden figures \
-        install help clean
+.PHONY: all demo test brown join seams files pictures fuzz ledger dialects mutants bench accuracy \
+        sweep facts golden figures install help clean

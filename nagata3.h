@@ -70,6 +70,7 @@
  *     n3_mesh_normals     normals where there are none, parted at creases
  *     n3_mesh_net         the control points of all patches, each edge built once
  *     n3_mesh_patches     the patches; n3_mesh_refine: a finer mesh on them
+ *     n3_mesh_cut         how fine it must be, edge by edge, to be within a distance
  *     n3_mesh_field       nodal values, carried to the finer mesh
  *     n3_mesh_report      what was found and what was done
  *
@@ -130,6 +131,9 @@
  *
  *     NAGATA3_FLOAT    n3_real is float. Both precisions can live in one program, in different
  *                      translation units.
+ *     NAGATA3_SIMD     0 keeps the calls on many patches to plain C. Else they use the vectors of
+ *                      GCC and Clang, 16 bytes or with AVX 32, where the machine has any; the
+ *                      results have the same bits.
  *     NAGATA3_API      what stands before every function, static inline by default; for CUDA
  *                      static inline __host__ __device__.
  *
@@ -159,6 +163,11 @@
 #endif
 #ifndef NAGATA3_API
 #define NAGATA3_API static inline
+#endif
+#if !defined NAGATA3_SIMD && defined __has_builtin && !defined __CUDACC__
+#if __has_builtin(__builtin_shufflevector) && (defined __SSE2__ || defined __aarch64__)
+#define NAGATA3_SIMD 1
+#endif
 #endif
 #if defined __cplusplus && __cplusplus >= 201103L /* a name of its own per precision, for linkers */
 inline namespace N3I_PICK(nagata3_double, nagata3_float) {
@@ -711,14 +720,18 @@ NAGATA3_API void n3_edge_split(const n3_edge *e, n3_real t, n3_edge out[2])
 
 /* ---- Definitions: the patch ---- */
 
-NAGATA3_API n3_vec n3_patch_centre(const n3_edge *ab, const n3_edge *bc, const n3_edge *ca)
+NAGATA3_API n3_vec n3i_centre(const n3_vec p[10])
 {
-    n3_vec p201_p021 = n3_add(ab->p[2], ca->p[1]);
-    n3_vec p012_p210 = n3_add(ca->p[2], bc->p[1]);
-    n3_vec p102_p120 = n3_add(ab->p[1], bc->p[2]);
-    n3_vec corners = n3_add(n3_add(ab->p[0], bc->p[0]), ca->p[0]);
+    n3_vec p201_p021 = n3_add(p[4], p[7]), p012_p210 = n3_add(p[8], p[5]);
+    n3_vec p102_p120 = n3_add(p[3], p[6]), corners = n3_add(n3_add(p[0], p[1]), p[2]);
     return n3_sub(n3i_over(n3_add(n3_add(p201_p021, p012_p210), p102_p120), 4),
                   n3i_over(corners, 6));                                           /* (6.1.10) */
+}
+
+NAGATA3_API n3_vec n3_patch_centre(const n3_edge *ab, const n3_edge *bc, const n3_edge *ca)
+{
+    n3_patch p = n3_patch_from_edges(ab, bc, ca, ab->p[0]);
+    return n3i_centre(p.p);
 }
 
 /* (6.1.10) has quadratic precision only. In centred coordinates s an arc's own cubic is
@@ -1088,6 +1101,14 @@ NAGATA3_API int n3_mesh_nodes(const n3_mesh *m, const n3_topology *t);
 NAGATA3_API n3_status n3_mesh_net(const n3_mesh *m, const n3_topology *t, const n3_options *o,
                                   n3_vec *net, unsigned *flags, int *item);
 
+/* Its parts, for callers that share the work out: the control points of the edges and the centres
+   of the triangles first up to but not with last, into their places in net, of which a centre
+   reads the edges and corners. Nothing is checked; n3_mesh_net says what is. */
+NAGATA3_API void n3_mesh_edges(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+                               int first, int last, n3_vec *net, unsigned *flags);
+NAGATA3_API void n3_mesh_centres(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+                                 int first, int last, n3_vec *net);
+
 /* The nodes of a triangle's patch, in the order of n3_patch.p. A side without an edge repeats its
    point. */
 NAGATA3_API void n3_mesh_patch_nodes(const n3_mesh *m, const n3_topology *t, int triangle,
@@ -1128,6 +1149,64 @@ NAGATA3_API n3_status n3_mesh_refine(const n3_mesh *m, const n3_topology *t, con
 NAGATA3_API n3_status n3_mesh_field(const n3_mesh *m, const n3_topology *t, int degree,
                                     int components, const n3_real *nodal, const int *parent,
                                     const n3_real *uv, int count, n3_real *out);
+
+/* ---- Refinement to a distance ---- */
+
+/* How an edge or a triangle is cut. parts: of an edge, its parts; of a triangle, how finely it is
+   cut inside, a number that n3_mesh_cut alone need understand. first: the first new point. */
+typedef struct n3_cut { int parts, first; } n3_cut;
+
+/* Decides how finely n3_mesh_refine_cut cuts each edge and each triangle, so that no part of the
+   surface is farther from its facet than distance > 0, and counts what that makes.
+   An edge is cut into sqrt(D / distance) parts, rounded up, so that a chord is within 3/4 of the
+   distance. D is the longer of the second differences p30 - 2 p21 + p12 and p21 - 2 p12 + p03 of
+   its control points, or half the twist of a patch along it, if that is larger: all triangles at an
+   edge cut it alike. A triangle takes its sides' points as they are, and inside as few points as
+   bring every facet within the distance, by a bound: that on the control vectors of the cubic's
+   difference from the facet, which are made of second differences of the net. Where the patch is
+   nearly flat, a vector along it counts only by the patch's slope.
+   cut: [edges + triangles], the edges first. points, triangles, normals: what will be made; each
+   may be NULL. N3_BAD_COUNT where an edge or a row wants more than 4096 parts (item: the edge, -1),
+   or where a count leaves int. Linear in what is made, 0.3 us for a facet. */
+NAGATA3_API n3_status n3_mesh_cut(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                  n3_real distance, n3_cut *cut, int *points, int *triangles,
+                                  int *normals, int *item);
+
+/* The surface as triangles, as n3_mesh_cut has decided. The points are first those of the mesh;
+   then those on each edge from its lower to its higher point; then those inside each patch. Each is
+   computed once and the triangles that meet there share it: closed meshes stay closed. Where all
+   parts are equal it makes the triangles of n3_mesh_refine, and its points to rounding.
+   Every output may be NULL. point, triangle, parent and uv as there. normal: the patches' own, for
+   each its corners, the points of its sides ab, bc and ca, then those inside; corner: 3 normals for
+   each new triangle; origin: for each new triangle, that of the mesh. Linear in the output. */
+NAGATA3_API n3_status n3_mesh_refine_cut(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                         const n3_cut *cut, n3_vec *point, int *triangle,
+                                         n3_vec *normal, int *corner, int *origin, int *parent,
+                                         n3_real *uv);
+
+/* ---- Many patches at once ----
+
+   These calls work on the items first up to but not with last, so that threads and processes can
+   share them out as they like; the results do not depend on how. Out[0] belongs to the item first.
+   Nothing is checked. */
+
+/* The points of each patch at u = i / level, v = j / level, level >= 1, in rows of constant v, u
+   ascending: (level + 1)(level + 2)/2 for each patch. On a side it is n3_edge_point from the
+   canonical end, so that neighbours agree bit for bit, and with n3_mesh_refine; inside it is
+   within 64 eps of the largest coordinate in the net of n3_patch_point. 18 flops inside, 36 on
+   a side. */
+NAGATA3_API void n3_lattice_points(const n3_patch *patch, int first, int last, int level,
+                                   n3_vec *point);
+
+/* The unit normals there: n3_patch_normal within 6 N3_NOISE (|du| + |dv|) / |du x dv| in a patch of
+   size 1, and where a patch has a point at which |du x dv| is small, the same. 60 flops, a square
+   root and a division. */
+NAGATA3_API void n3_lattice_normals(const n3_patch *patch, int first, int last, int level,
+                                    n3_vec *normal);
+
+/* The triangles between these points, level^2 for each patch, 3 indices each, which count from the
+   first point of patch 0. */
+NAGATA3_API void n3_lattice_triangles(int first, int last, int level, int *triangle);
 
 /* ---- Report ---- */
 
@@ -1335,6 +1414,15 @@ NAGATA3_API int n3i_index_at(const int *base, size_t stride, int triangle, int c
     return index;
 }
 
+/* The same for c = 3 triangle + corner, without a division where the array is packed. */
+NAGATA3_API int n3i_index_of(const int *base, size_t stride, int c)
+{
+    int index;
+    if (stride) return n3i_index_at(base, stride, c / 3, c % 3);
+    memcpy(&index, (const char *)base + (size_t)c * sizeof index, sizeof index);
+    return index;
+}
+
 NAGATA3_API n3_vec n3i_point(const n3_mesh *m, int i)
 {
     return n3i_vec_at(m->point, m->point_stride, i);
@@ -1343,16 +1431,23 @@ NAGATA3_API n3_vec n3i_point(const n3_mesh *m, int i)
 /* The point at corner c = 3 f + i of triangle f, and at the corner after it. */
 NAGATA3_API int n3i_at(const n3_mesh *m, int c)
 {
-    return n3i_index_at(m->triangle, m->triangle_stride, c / 3, c % 3);
+    return n3i_index_of(m->triangle, m->triangle_stride, c);
 }
 
 NAGATA3_API int n3i_after(int c) { return c % 3 == 2 ? c - 2 : c + 1; }
 
+/* All three. */
+NAGATA3_API void n3i_corners(const n3_mesh *m, int triangle, int c[3])
+{
+    size_t size = 3 * sizeof *c, stride = m->triangle_stride ? m->triangle_stride : size;
+    memcpy(c, (const char *)m->triangle + (size_t)triangle * stride, size);
+}
+
 NAGATA3_API int n3i_is_collapsed(const n3_mesh *m, int triangle)
 {
-    int a = n3i_at(m, 3 * triangle), b = n3i_at(m, 3 * triangle + 1);
-    int c = n3i_at(m, 3 * triangle + 2);
-    return a == b || b == c || c == a;
+    int c[3];
+    n3i_corners(m, triangle, c);
+    return c[0] == c[1] || c[1] == c[2] || c[2] == c[0];
 }
 
 /* The normal that the mesh names for a corner, -1: none. */
@@ -1360,7 +1455,7 @@ NAGATA3_API int n3i_normal_at(const n3_mesh *m, int c)
 {
     if (!m->normal) return -1;
     if (!m->corner) return n3i_at(m, c);
-    return n3i_index_at(m->corner, m->corner_stride, c / 3, c % 3);
+    return n3i_index_of(m->corner, m->corner_stride, c);
 }
 
 /* Made unit, unless it is so to rounding: then it keeps its bits. */
@@ -1369,12 +1464,16 @@ NAGATA3_API n3_vec n3i_made_unit(n3_vec n)
     return n3i_abs(n3_dot(n, n) - 1) <= 8 * N3_EPS ? n : n3_unit(n);
 }
 
-/* The unit normal of a corner, zero where it has none. */
-NAGATA3_API n3_vec n3i_corner_normal(const n3_mesh *m, int c)
+/* The unit normal of that name, zero where there is none. */
+NAGATA3_API n3_vec n3i_normal_named(const n3_mesh *m, int i)
 {
-    int i = n3i_normal_at(m, c);
     if (i < 0) return n3_v(0, 0, 0);
     return n3i_made_unit(n3i_vec_at(m->normal, m->normal_stride, i));
+}
+
+NAGATA3_API n3_vec n3i_corner_normal(const n3_mesh *m, int c)
+{
+    return n3i_normal_named(m, n3i_normal_at(m, c));
 }
 
 NAGATA3_API int n3i_is_finite(n3_vec a)
@@ -1737,37 +1836,54 @@ NAGATA3_API n3_real n3i_mesh_size(const n3_mesh *m)
     return size > 0 ? size : 1;
 }
 
-/* Max's term (e0 x e1) / (|e0|^2 |e1|^2) at a corner, in units of 1/size^2. Sides below eps^2 of
-   the size count as that long, so that the square of a term is in range; an angle that is rounding
-   gives zero. */
-NAGATA3_API n3_vec n3i_corner_term(const n3_mesh *m, int c, n3_real size)
+/* Max's terms (e0 x e1) / (|e0|^2 |e1|^2) at the corners of a triangle, in units of 1/size^2. Sides
+   below eps^2 of the size count as that long, so that the square of a term is in range; an angle
+   that is rounding gives zero. */
+NAGATA3_API void n3i_corner_terms(const n3_mesh *m, int triangle, n3_real size, n3_vec term[3])
 {
-    int b = n3i_after(c);
-    n3_vec x = n3i_point(m, n3i_at(m, c)), n;
-    n3_vec e0 = n3_sub(n3i_point(m, n3i_at(m, b)), x);
-    n3_vec e1 = n3_sub(n3i_point(m, n3i_at(m, n3i_after(b))), x);
-    n3_real l0 = n3i_larger(n3_len(e0) / size, N3_EPS * N3_EPS);
-    n3_real l1 = n3i_larger(n3_len(e1) / size, N3_EPS * N3_EPS);
-    n = n3_cross(n3_unit(e0), n3_unit(e1));
-    if (!(n3_len(n) > N3_NOISE)) return n3_v(0, 0, 0);
-    return n3i_over(n3i_over(n, l0), l1);
+    n3_vec x[3], e[3];
+    n3_real l[3];
+    int i, c[3];
+    n3i_corners(m, triangle, c);
+    for (i = 0; i < 3; i++) x[i] = n3i_point(m, c[i]);
+    for (i = 0; i < 3; i++) {
+        n3_vec d = n3_sub(x[n3i_after(i)], x[i]);
+        l[i] = n3i_larger(n3_len(d) / size, N3_EPS * N3_EPS);
+        e[i] = n3_unit(d);
+    }
+    for (i = 0; i < 3; i++) {
+        int before = n3i_after(n3i_after(i));
+        n3_vec n = n3_cross(e[before], e[i]); /* e1 is -e[before] */
+        int clear = n3_dot(n, n) > 4 * N3_NOISE * N3_NOISE || n3_len(n) > N3_NOISE;
+        term[i] = clear ? n3i_over(n3i_over(n, l[i]), l[before]) : n3_v(0, 0, 0);
+    }
 }
 
-/* Max's sums, unit, where they keep half their digits; zero where they cancel. */
+/* Max's sums, unit, where they keep half their digits; zero where they cancel, which is looked for
+   where some sum is short against the longest of all terms. */
 NAGATA3_API void n3i_sum_fans(const n3_mesh *m, const int *corner, int first, int last,
                               n3_real size, n3_vec *normal)
 {
-    int c, corners = 3 * m->triangles;
+    n3_vec term[3];
+    n3_real longest = 0;
+    int c, i, suspect = 0, corners = 3 * m->triangles;
     for (c = first; c < last; c++) normal[c] = n3_v(0, 0, 0);
-    for (c = 0; c < corners; c++) {
-        n3_vec *sum = normal + corner[c];
-        if (corner[c] >= first) *sum = n3_add(*sum, n3i_corner_term(m, c, size));
+    for (c = 0; c < corners; c += 3) {
+        n3i_corner_terms(m, c / 3, size, term);
+        for (i = 0; i < 3; i++) {
+            if (corner[c + i] < first) continue;
+            normal[corner[c + i]] = n3_add(normal[corner[c + i]], term[i]);
+            longest = n3i_larger(longest, n3i_largest(term[i]));
+        }
     }
-    for (c = 0; c < corners; c++) {
-        n3_vec *sum = normal + corner[c];
-        if (corner[c] < first) continue;
-        if (n3_len(*sum) <= N3_OPPOSITE * n3_len(n3i_corner_term(m, c, size)))
-            *sum = n3_v(0, 0, 0);
+    for (c = first; c < last; c++) suspect |= n3i_largest(normal[c]) <= 2 * N3_OPPOSITE * longest;
+    for (c = 0; suspect && c < corners; c += 3) {
+        n3i_corner_terms(m, c / 3, size, term);
+        for (i = 0; i < 3; i++) {
+            n3_vec *sum = normal + corner[c + i];
+            if (corner[c + i] < first) continue;
+            if (n3_len(*sum) <= N3_OPPOSITE * n3_len(term[i])) *sum = n3_v(0, 0, 0);
+        }
     }
     for (c = first; c < last; c++) normal[c] = n3_unit(normal[c]);
 }
@@ -1812,6 +1928,300 @@ NAGATA3_API n3_status n3_mesh_normals(const n3_mesh *m, const n3_topology *t, n3
     n3i_mend_fans(m, corner, first, last, size, normal);
     *normals = last;
     return N3_OK;
+}
+
+/* ---- Definitions: several at once ----
+
+   A wide number holds one number from each of N3I_WIDTH patches or edges, its lanes: in a vector of
+   GCC and Clang, or in n3_real where there is none. Wide forms do the operations of the plain ones
+   in the same order and round alike. A lane that the plain form would treat as a case of its own is
+   not ok, and the plain form does it again. */
+
+#if NAGATA3_SIMD
+#ifdef __AVX__
+#define N3I_BYTES 32
+#else
+#define N3I_BYTES 16
+#endif
+#define N3I_WIDE_API NAGATA3_API __attribute__((always_inline))
+#define N3I_UNROLL   _Pragma("GCC unroll 8")
+typedef n3_real n3i_wide __attribute__((vector_size(N3I_BYTES)));
+__extension__ typedef N3I_PICK(long long, int) n3i_mask __attribute__((vector_size(N3I_BYTES)));
+#else
+#define N3I_WIDE_API NAGATA3_API
+#define N3I_UNROLL
+typedef n3_real n3i_wide;
+typedef int n3i_mask;
+#endif
+
+enum { N3I_WIDTH = sizeof(n3i_wide) / sizeof(n3_real) };
+
+typedef struct n3i_wide_vec { n3i_wide x, y, z; } n3i_wide_vec;
+
+#if NAGATA3_SIMD
+N3I_WIDE_API n3i_wide n3i_wide_of(n3_real a)
+{
+    n3i_wide zero = {0};
+    return a - zero;
+}
+
+N3I_WIDE_API n3i_wide n3i_pick(n3i_mask mask, n3i_wide a, n3i_wide b)
+{
+    return (n3i_wide)((mask & (n3i_mask)a) | (~mask & (n3i_mask)b));
+}
+
+N3I_WIDE_API n3i_wide n3i_wide_abs(n3i_wide a)
+{
+    return (n3i_wide)((n3i_mask)a & ~(n3i_mask)n3i_wide_of(-(n3_real)0));
+}
+
+N3I_WIDE_API int n3i_lane(n3i_mask mask, int lane) { return mask[lane] != 0; }
+
+#if __has_builtin(__builtin_elementwise_sqrt)
+#define N3I_SQRT __builtin_elementwise_sqrt
+#elif defined __AVX__
+#define N3I_SQRT N3I_PICK(__builtin_ia32_sqrtpd256, __builtin_ia32_sqrtps256)
+#elif defined __SSE2__
+#define N3I_SQRT N3I_PICK(__builtin_ia32_sqrtpd, __builtin_ia32_sqrtps)
+#endif
+
+N3I_WIDE_API n3i_wide n3i_wide_sqrt(n3i_wide a)
+{
+#ifdef N3I_SQRT
+    return N3I_SQRT(a);
+#else
+    int i;
+    for (i = 0; i < N3I_WIDTH; i++) a[i] = n3i_sqrt(a[i]);
+    return a;
+#endif
+}
+
+/* One step of turning rows into columns: blocks of step numbers off the diagonal change places. */
+N3I_WIDE_API void n3i_exchange(n3i_wide *a, n3i_wide *b, int step)
+{
+    n3i_wide p = *a, q = *b;
+#if N3I_BYTES == N3I_PICK(16, 8)
+    if (step == 1) *a = __builtin_shufflevector(p, q, 0, 2);
+    if (step == 1) *b = __builtin_shufflevector(p, q, 1, 3);
+#elif N3I_BYTES == N3I_PICK(32, 16)
+    if (step == 1) *a = __builtin_shufflevector(p, q, 0, 4, 2, 6);
+    if (step == 1) *b = __builtin_shufflevector(p, q, 1, 5, 3, 7);
+    if (step == 2) *a = __builtin_shufflevector(p, q, 0, 1, 4, 5);
+    if (step == 2) *b = __builtin_shufflevector(p, q, 2, 3, 6, 7);
+#else
+    if (step == 1) *a = __builtin_shufflevector(p, q, 0, 8, 2, 10, 4, 12, 6, 14);
+    if (step == 1) *b = __builtin_shufflevector(p, q, 1, 9, 3, 11, 5, 13, 7, 15);
+    if (step == 2) *a = __builtin_shufflevector(p, q, 0, 1, 8, 9, 4, 5, 12, 13);
+    if (step == 2) *b = __builtin_shufflevector(p, q, 2, 3, 10, 11, 6, 7, 14, 15);
+    if (step == 4) *a = __builtin_shufflevector(p, q, 0, 1, 2, 3, 8, 9, 10, 11);
+    if (step == 4) *b = __builtin_shufflevector(p, q, 4, 5, 6, 7, 12, 13, 14, 15);
+#endif
+}
+
+/* Rows into columns, by halving. */
+N3I_WIDE_API void n3i_turn(n3i_wide row[N3I_WIDTH])
+{
+    int i, step;
+    N3I_UNROLL
+    for (step = 1; step < N3I_WIDTH; step *= 2)
+        N3I_UNROLL
+        for (i = 0; i < N3I_WIDTH; i++)
+            if (!(i & step)) n3i_exchange(&row[i], &row[i + step], step);
+}
+#else
+N3I_WIDE_API n3i_wide n3i_wide_of(n3_real a) { return a; }
+N3I_WIDE_API n3i_wide n3i_pick(n3i_mask mask, n3i_wide a, n3i_wide b) { return mask ? a : b; }
+N3I_WIDE_API n3i_wide n3i_wide_abs(n3i_wide a) { return n3i_abs(a); }
+N3I_WIDE_API int n3i_lane(n3i_mask mask, int lane) { return lane == 0 && mask; }
+N3I_WIDE_API n3i_wide n3i_wide_sqrt(n3i_wide a) { return n3i_sqrt(a); }
+N3I_WIDE_API void n3i_turn(n3i_wide row[N3I_WIDTH]) { (void)row; }
+#endif
+
+/* The first count numbers of every lane; count is at least N3I_WIDTH. */
+N3I_WIDE_API void n3i_load(const n3_real *const from[N3I_WIDTH], int count, n3i_wide *to)
+{
+    n3i_wide row[N3I_WIDTH];
+    int i, k, at;
+    for (k = 0; k < count; k += N3I_WIDTH) {
+        at = k + N3I_WIDTH > count ? count - N3I_WIDTH : k;
+        N3I_UNROLL
+        for (i = 0; i < N3I_WIDTH; i++) memcpy(&row[i], from[i] + at, sizeof row[i]);
+        n3i_turn(row);
+        N3I_UNROLL
+        for (i = 0; i < N3I_WIDTH; i++) to[at + i] = row[i];
+    }
+}
+
+/* The reverse, for any count. */
+N3I_WIDE_API void n3i_store(const n3i_wide *from, int count, n3_real *const to[N3I_WIDTH])
+{
+    n3i_wide row[N3I_WIDTH];
+    int i, k;
+    for (k = 0; k + N3I_WIDTH <= count; k += N3I_WIDTH) {
+        N3I_UNROLL
+        for (i = 0; i < N3I_WIDTH; i++) row[i] = from[k + i];
+        n3i_turn(row);
+        N3I_UNROLL
+        for (i = 0; i < N3I_WIDTH; i++) memcpy(to[i] + k, &row[i], sizeof row[i]);
+    }
+    for (; k < count; k++)
+        for (i = 0; i < N3I_WIDTH; i++)
+            memcpy(to[i] + k, (const char *)&from[k] + (size_t)i * sizeof **to, sizeof **to);
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_v(n3i_wide x, n3i_wide y, n3i_wide z)
+{
+    n3i_wide_vec a;
+    a.x = x;
+    a.y = y;
+    a.z = z;
+    return a;
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_add(n3i_wide_vec a, n3i_wide_vec b)
+{
+    return n3i_wide_v(a.x + b.x, a.y + b.y, a.z + b.z);
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_sub(n3i_wide_vec a, n3i_wide_vec b)
+{
+    return n3i_wide_v(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_mul(n3i_wide s, n3i_wide_vec a)
+{
+    return n3i_wide_v(s * a.x, s * a.y, s * a.z);
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_over(n3i_wide_vec a, n3i_wide s)
+{
+    return n3i_wide_v(a.x / s, a.y / s, a.z / s);
+}
+
+N3I_WIDE_API n3i_wide n3i_wide_dot(n3i_wide_vec a, n3i_wide_vec b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_cross(n3i_wide_vec a, n3i_wide_vec b)
+{
+    return n3i_wide_v(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_pick(n3i_mask mask, n3i_wide_vec a, n3i_wide_vec b)
+{
+    return n3i_wide_v(n3i_pick(mask, a.x, b.x), n3i_pick(mask, a.y, b.y),
+                      n3i_pick(mask, a.z, b.z));
+}
+
+N3I_WIDE_API n3i_wide n3i_wide_larger(n3i_wide a, n3i_wide b)
+{
+    return n3i_pick((n3i_mask)(b > a), b, a);
+}
+
+N3I_WIDE_API n3i_wide n3i_wide_largest(n3i_wide_vec a)
+{
+    return n3i_wide_larger(n3i_wide_larger(n3i_wide_abs(a.x), n3i_wide_abs(a.y)),
+                           n3i_wide_abs(a.z));
+}
+
+/* n3_unit and n3_len of a lane that has a length; the others are not ok. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_unit(n3i_wide_vec a, n3i_wide *length, n3i_mask *ok)
+{
+    n3i_wide s = n3i_wide_largest(a), r;
+    n3i_mask some = (n3i_mask)(s > 0);
+    *ok &= some;
+    s = n3i_pick(some, s, n3i_wide_of(1));
+    a = n3i_wide_over(a, s);
+    r = n3i_wide_sqrt(n3i_wide_dot(a, a));
+    *length = s * r;
+    return n3i_wide_over(a, n3i_pick(some, r, n3i_wide_of(1)));
+}
+
+/* n3i_upright of a lane whose n is neither zero nor along e. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_upright(n3i_wide_vec e, n3i_wide_vec n, n3i_mask *ok)
+{
+    n3i_wide_vec m = n3i_wide_cross(e, n);
+    n3i_wide length;
+    *ok &= (n3i_mask)(n3i_wide_dot(m, m) > N3_ALONG * N3_ALONG);
+    return n3i_wide_unit(m, &length, ok);
+}
+
+/* ---- Definitions: edges at once ---- */
+
+typedef struct n3i_wide_vertex { n3i_wide_vec x, n; } n3i_wide_vertex;
+typedef struct n3i_wide_end { n3i_wide cos, sin, tan; } n3i_wide_end;
+
+/* n3i_end_make. */
+N3I_WIDE_API n3i_wide_end n3i_wide_end_make(n3i_wide_vec n, n3i_wide_vec e, n3i_wide_vec b,
+                                            const n3_options *o)
+{
+    n3i_wide ne = n3i_wide_dot(n, e), nb = n3i_wide_dot(n, b);
+    n3i_wide h = n3i_wide_sqrt(ne * ne + nb * nb), size = n3i_wide_abs(nb);
+    n3i_mask below = (n3i_mask)(n3i_wide_abs(ne) < o->tan_hi * size);
+    n3i_wide_end t;
+    t.tan = n3i_wide_abs(ne / n3i_pick(below, nb, n3i_wide_of(1)));
+    t.tan = n3i_pick(below, t.tan, n3i_wide_of(o->tan_hi));                        /* (5.1.12) */
+    t.tan = n3i_wide_larger(t.tan, n3i_wide_of(o->tan_lo));                        /* (5.1.11) */
+    h = n3i_pick((n3i_mask)(h > 0), h, n3i_wide_of(1));
+    t.cos = size / h;
+    t.sin = n3i_pick((n3i_mask)(nb < 0), ne, -ne) / h;
+    return t;
+}
+
+/* n3i_handle; third is 2 L / 3. */
+N3I_WIDE_API n3i_wide n3i_wide_handle(n3i_wide_end here, n3i_wide_end other, n3i_wide third)
+{
+    n3i_wide ratio = other.tan / (here.tan + other.tan);
+    n3i_mask flat = (n3i_mask)(here.cos >= (n3_real)1 / 2);
+    n3i_wide slope = n3i_pick(flat, here.cos, n3i_wide_of(1));
+    return n3i_pick(flat, ratio / slope * third, ratio * (2 * third));
+}
+
+/* n3i_edge_paper. */
+N3I_WIDE_API n3i_mask n3i_wide_edge_paper(n3i_wide_vertex v0, n3i_wide_vertex v1,
+                                          const n3_options *o, n3i_wide_vec p[2])
+{
+    n3i_wide L, length;
+    n3i_mask ok = (n3i_mask)(v0.x.x <= v1.x.x);
+    n3i_wide_vec e = n3i_wide_unit(n3i_wide_sub(v1.x, v0.x), &L, &ok);
+    n3i_wide_vec m0 = n3i_wide_upright(e, v0.n, &ok), m1 = n3i_wide_upright(e, v1.n, &ok);
+    n3i_mask acute = (n3i_mask)(n3i_wide_dot(m0, m1) >= 0);
+    n3i_wide_vec m = n3i_wide_pick(acute, n3i_wide_add(m0, m1), n3i_wide_sub(m0, m1));
+    n3i_wide_vec b = n3i_wide_cross(n3i_wide_unit(m, &length, &ok), e);
+    n3i_wide_end s = n3i_wide_end_make(v0.n, e, b, o), t = n3i_wide_end_make(v1.n, e, b, o);
+    n3i_wide ds = n3i_wide_handle(s, t, 2 * L / 3), de = n3i_wide_handle(t, s, 2 * L / 3);
+    n3i_wide_vec ts = n3i_wide_add(n3i_wide_mul(s.cos, e), n3i_wide_mul(s.sin, b));
+    n3i_wide_vec te = n3i_wide_add(n3i_wide_mul(t.cos, e), n3i_wide_mul(t.sin, b));
+    p[0] = n3i_wide_add(v0.x, n3i_wide_mul(ds, ts));                               /* (5.1.13) */
+    p[1] = n3i_wide_sub(v1.x, n3i_wide_mul(de, te));                               /* (5.1.14) */
+    return ok;
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_off(n3i_wide_vec a, n3i_wide_vec n)
+{
+    return n3i_wide_sub(a, n3i_wide_mul(n3i_wide_dot(a, n), n));
+}
+
+/* n3i_edge_arc. */
+N3I_WIDE_API n3i_mask n3i_wide_edge_arc(n3i_wide_vertex v0, n3i_wide_vertex v1, n3i_wide_vec p[2])
+{
+    n3i_wide_vec d = n3i_wide_sub(v1.x, v0.x), e, m, q, turn = n3i_wide_sub(v1.n, v0.n);
+    n3i_wide g = n3i_wide_dot(d, turn), k, length;
+    n3i_mask ok = (n3i_mask)(v0.x.x <= v1.x.x);
+    e = n3i_wide_unit(d, &length, &ok);
+    n3i_wide_upright(e, v0.n, &ok);
+    n3i_wide_upright(e, v1.n, &ok);
+    m = n3i_wide_unit(n3i_wide_add(v0.n, v1.n), &length, &ok);
+    ok &= (n3i_mask)(length > N3_OPPOSITE);
+    k = 1 / (1 + length / 2);
+    q = n3i_wide_sub(n3i_wide_off(d, m), n3i_wide_mul(g * k * k / 4, turn));
+    m = n3i_wide_mul(g * k, m);
+    d = n3i_wide_over(n3i_wide_add(q, m), n3i_wide_of(3));
+    e = n3i_wide_over(n3i_wide_sub(q, m), n3i_wide_of(3));
+    p[0] = n3i_wide_add(v0.x, n3i_wide_off(d, v0.n));
+    p[1] = n3i_wide_sub(v1.x, n3i_wide_off(e, v1.n));
+    return ok;
 }
 
 /* ---- Definitions: the net ---- */
@@ -1911,29 +2321,48 @@ NAGATA3_API n3i_joint n3i_joint_make(const n3i_pair *list, int count, int end, n
     return joint;
 }
 
+/* The one pair that all triangles of an edge name; false if they differ. */
+NAGATA3_API int n3i_common_pair(const n3_mesh *m, const n3_topology *t, int edge, int from,
+                                n3i_pair *p)
+{
+    int i, name[2] = {-1, -1};
+    for (i = t->first[edge]; i < t->first[edge + 1]; i++) {
+        int s = t->side[i], back = n3i_at(m, s) != from;
+        int here = n3i_normal_at(m, s), next = n3i_normal_at(m, n3i_after(s));
+        if (i > t->first[edge] && (here != name[back] || next != name[!back])) return 0;
+        name[back] = here;
+        name[!back] = next;
+    }
+    for (i = 0; i < 2; i++) p->n[i] = n3i_normal_named(m, name[i]);
+    return 1;
+}
+
 /* An edge of the mesh with its ends in canonical order, by place, then by number. */
 typedef struct n3i_seam { int point[2]; n3_vertex end[2]; n3i_joint joint[2]; } n3i_seam;
 
-NAGATA3_API n3i_seam n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edge)
+NAGATA3_API void n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edge, n3i_seam *seam)
 {
-    n3i_seam seam;
     n3i_pair list[N3I_PAIRS];
     n3_vec e;
     int i, count;
-    n3_mesh_edge_ends(m, t, edge, seam.point);
-    if (n3i_order(n3i_point(m, seam.point[0]), n3i_point(m, seam.point[1])) > 0) {
-        i = seam.point[0];
-        seam.point[0] = seam.point[1];
-        seam.point[1] = i;
+    memset(seam, 0, sizeof *seam);
+    n3_mesh_edge_ends(m, t, edge, seam->point);
+    if (n3i_order(n3i_point(m, seam->point[0]), n3i_point(m, seam->point[1])) > 0) {
+        i = seam->point[0];
+        seam->point[0] = seam->point[1];
+        seam->point[1] = i;
     }
-    for (i = 0; i < 2; i++) seam.end[i].x = n3i_point(m, seam.point[i]);
-    e = n3_unit(n3_sub(seam.end[1].x, seam.end[0].x));
-    count = n3i_collect(m, t, edge, seam.point[0], list);
+    for (i = 0; i < 2; i++) seam->end[i].x = n3i_point(m, seam->point[i]);
+    if (n3i_common_pair(m, t, edge, seam->point[0], list)) {
+        for (i = 0; i < 2; i++) seam->end[i].n = seam->joint[i].n = list->n[i];
+        return;
+    }
+    e = n3_unit(n3_sub(seam->end[1].x, seam->end[0].x));
+    count = n3i_collect(m, t, edge, seam->point[0], list);
     for (i = 0; i < 2; i++) {
-        seam.joint[i] = n3i_joint_make(list, count, i, e);
-        seam.end[i].n = seam.joint[i].n;
+        seam->joint[i] = n3i_joint_make(list, count, i, e);
+        seam->end[i].n = seam->joint[i].n;
     }
-    return seam;
 }
 
 /* The end of a curve that leaves its end with the unit tangent t, clamped as the paper does. */
@@ -2107,7 +2536,7 @@ NAGATA3_API n3_vec n3i_side_mid(const n3_mesh *m, const n3_topology *t, int s)
     n3_vec sum = n3_add(n3i_corner_normal(m, s), n3i_corner_normal(m, n3i_after(s)));
     n3i_seam seam;
     if (edge < 0 || !n3i_is_regular(m, t, edge, two)) return sum;
-    seam = n3i_seam_of(m, t, edge);
+    n3i_seam_of(m, t, edge, &seam);
     if (seam.joint[0].split || seam.joint[1].split) return sum;
     back = n3i_at(m, two[0]) != seam.point[0];
     return n3_edge_mid_normal(seam.end[0], seam.end[1],
@@ -2123,12 +2552,68 @@ NAGATA3_API n3_vec n3i_mesh_centre(const n3_mesh *m, const n3_topology *t, const
     n3_vec n[3], mid[3];
     int i;
     n3_mesh_patches(m, t, net, triangle, triangle + 1, &p);
+    if (!n3i_is_arc(o)) return n3i_centre(p.p);
     n3_patch_edges(&p, e);
-    if (!n3i_is_arc(o)) return n3_patch_centre(&e[0], &e[1], &e[2]);
     for (i = 0; i < 3; i++) n[i] = n3i_corner_normal(m, 3 * triangle + i);
     if (o->rule != N3_RULE_FIT) return n3_patch_centre_arc(&e[0], &e[1], &e[2], n, NULL);
     for (i = 0; i < 3; i++) mid[i] = n3i_side_mid(m, t, 3 * triangle + i);
     return n3_patch_centre_arc(&e[0], &e[1], &e[2], n, mid);
+}
+
+/* The two inner control points of seams. The wide form writes eight numbers of each. */
+NAGATA3_API void n3i_seam_points(const n3i_seam seam[N3I_WIDTH], const n3_options *given,
+                                 n3_vec out[N3I_WIDTH][3])
+{
+    const n3_real *from[N3I_WIDTH];
+    n3_real *to[N3I_WIDTH];
+    n3_options o = n3i_defaults(given);
+    n3i_wide_vertex v[2];
+    n3i_wide_vec p[3];
+    n3i_mask ok;
+    int i;
+    for (i = 0; i < N3I_WIDTH; i++) from[i] = &seam[i].end[0].x.x;
+    for (i = 0; i < N3I_WIDTH; i++) to[i] = &out[i][0].x;
+    n3i_load(from, 12, &v[0].x.x);
+    ok = n3i_is_arc(&o) ? n3i_wide_edge_arc(v[0], v[1], p) : n3i_wide_edge_paper(v[0], v[1], &o, p);
+    p[2] = p[0];
+    n3i_store(&p[0].x, 8, to);
+    for (i = 0; i < N3I_WIDTH; i++) {
+        n3_edge e;
+        if (n3i_lane(ok, i) && !(seam[i].joint[0].share > 0) && !(seam[i].joint[1].share > 0))
+            continue;
+        e = n3i_seam_edge(&seam[i], given);
+        out[i][0] = e.p[1];
+        out[i][1] = e.p[2];
+    }
+}
+
+NAGATA3_API void n3_mesh_edges(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+                               int first, int last, n3_vec *net, unsigned *flags)
+{
+    n3i_seam seam[N3I_WIDTH];
+    n3_vec p[N3I_WIDTH][3];
+    int i, edge;
+    for (; first < last; first += N3I_WIDTH) {
+        int count = last - first < N3I_WIDTH ? last - first : N3I_WIDTH;
+        for (i = 0; i < N3I_WIDTH; i++) n3i_seam_of(m, t, i < count ? first + i : first, &seam[i]);
+        n3i_seam_points(seam, o, p);
+        for (i = 0, edge = first; i < count; i++, edge++) {
+            int back = seam[i].point[0] > seam[i].point[1];
+            net[m->points + 2 * edge + back] = p[i][0];
+            net[m->points + 2 * edge + !back] = p[i][1];
+            if (flags) flags[edge] = n3i_seam_flags(&seam[i], o) | n3i_face_flags(m, t, edge);
+        }
+    }
+}
+
+NAGATA3_API void n3_mesh_centres(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+                                 int first, int last, n3_vec *net)
+{
+    n3_vec *centre = net + m->points + 2 * t->edges;
+    for (; first < last; first++) {
+        centre[first] = n3_v(0, 0, 0);
+        centre[first] = n3i_mesh_centre(m, t, o, net, first);
+    }
 }
 
 NAGATA3_API int n3_mesh_nodes(const n3_mesh *m, const n3_topology *t)
@@ -2148,19 +2633,8 @@ NAGATA3_API n3_status n3_mesh_net(const n3_mesh *m, const n3_topology *t, const 
     if (nodes < m->points) return n3i_blame(N3_BAD_COUNT, -1, item);
     if (nodes > 0 && !net) return n3i_blame(N3_NULL_POINTER, -1, item);
     for (i = 0; i < m->points; i++) net[i] = n3i_point(m, i);
-    for (i = 0; i < t->edges; i++) {
-        n3i_seam seam = n3i_seam_of(m, t, i);
-        n3_edge c = n3i_seam_edge(&seam, o);
-        int back = seam.point[0] > seam.point[1];
-        net[m->points + 2 * i + back] = c.p[1];
-        net[m->points + 2 * i + !back] = c.p[2];
-        if (flags) flags[i] = n3i_seam_flags(&seam, o) | n3i_face_flags(m, t, i);
-    }
-    for (i = 0; i < m->triangles; i++) {
-        n3_vec *centre = net + m->points + 2 * t->edges + i;
-        *centre = n3_v(0, 0, 0);
-        *centre = n3i_mesh_centre(m, t, o, net, i);
-    }
+    n3_mesh_edges(m, t, o, 0, t->edges, net, flags);
+    n3_mesh_centres(m, t, o, 0, m->triangles, net);
     return N3_OK;
 }
 
@@ -2168,10 +2642,9 @@ NAGATA3_API void n3_mesh_patch_nodes(const n3_mesh *m, const n3_topology *t, int
                                      int node[10])
 {
     int i;
+    n3i_corners(m, triangle, node);
     for (i = 0; i < 3; i++) {
-        int s = 3 * triangle + i, a = n3i_at(m, s), edge = t->edge[s];
-        int back = a > n3i_at(m, n3i_after(s));
-        node[i] = a;
+        int a = node[i], edge = t->edge[3 * triangle + i], back = a > node[(i + 1) % 3];
         node[3 + 2 * i] = edge < 0 ? a : m->points + 2 * edge + back;
         node[4 + 2 * i] = edge < 0 ? a : m->points + 2 * edge + !back;
     }
@@ -2196,14 +2669,274 @@ NAGATA3_API n3_patch n3i_mesh_patch(const n3_mesh *m, const n3_topology *t, cons
     return p;
 }
 
-/* ---- Definitions: refinement ---- */
+/* ---- Definitions: patches at once ---- */
 
-/* Points inside a patch. */
+/* Points inside a patch; with level + 3, all. */
 NAGATA3_API int n3i_inside(int level)
 {
     int square = level < 3 ? 0 : n3i_count_mul(level - 1, level - 2);
     return square < 0 ? -1 : square / 2;
 }
+
+/* The numbers u and v of the point at i, j; on bc so that 1 - u - v is exactly 0. */
+NAGATA3_API void n3i_lattice_uv(int level, int i, int j, n3_real *u, n3_real *v)
+{
+    *u = (n3_real)i / (n3_real)level;
+    *v = i + j == level ? 1 - *u : (n3_real)j / (n3_real)level;
+}
+
+/* Numbers on their way to memory, a row for each lane. */
+enum { N3I_HELD = 96 };
+typedef struct n3i_sink { n3_real *to[N3I_WIDTH]; n3i_wide held[N3I_HELD]; } n3i_sink;
+
+/* Empties the sink, filled up to end; returns where to go on. */
+N3I_WIDE_API n3i_wide *n3i_flush(n3i_sink *s, const n3i_wide *end)
+{
+    int i, count = (int)(end - s->held);
+    n3i_store(s->held, count, s->to);
+    for (i = 0; i < N3I_WIDTH; i++) s->to[i] += count;
+    return s->held;
+}
+
+N3I_WIDE_API n3i_wide *n3i_put(n3i_sink *s, n3i_wide *at, n3i_wide_vec x)
+{
+    at[0] = x.x;
+    at[1] = x.y;
+    at[2] = x.z;
+    at += 3;
+    return at == s->held + N3I_HELD ? n3i_flush(s, at) : at;
+}
+
+/* s a + b, a step of Horner's. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_step(n3i_wide_vec a, n3i_wide s, n3i_wide_vec b)
+{
+    return n3i_wide_v(s * a.x + b.x, s * a.y + b.y, s * a.z + b.z);
+}
+
+/* The point at i / level of an edge, from its canonical end or, where there is none, the nearer. */
+NAGATA3_API n3_vec n3i_side_point(n3_edge e, int i, int level)
+{
+    int order = n3i_edge_order(&e);
+    if (order ? order > 0 : 2 * i > level) {
+        e = n3_edge_reverse(&e);
+        i = level - i;
+    }
+    return n3_edge_point(&e, (n3_real)i / (n3_real)level);
+}
+
+/* A side with its control points from the canonical end, and the steps from there to a point. */
+typedef struct n3i_wide_side { n3i_wide_vec p[4]; n3i_wide at, step; } n3i_wide_side;
+
+/* A side whose ends are in two places; others are not ok. */
+N3I_WIDE_API n3i_wide_side n3i_wide_side_of(n3i_wide_vec p0, n3i_wide_vec p1, n3i_wide_vec p2,
+                                            n3i_wide_vec p3, int level, n3i_mask *ok)
+{
+    n3i_wide_vec d = n3i_wide_sub(p3, p0);
+    n3i_wide way = n3i_pick((n3i_mask)(d.y < 0) | (n3i_mask)(d.y > 0), d.y, d.z);
+    n3i_wide_side s;
+    n3i_mask back;
+    way = n3i_pick((n3i_mask)(d.x < 0) | (n3i_mask)(d.x > 0), d.x, way);
+    back = (n3i_mask)(way < 0); /* n3i_order(p0, p3) > 0 */
+    *ok &= back | (n3i_mask)(way > 0);
+    s.p[0] = n3i_wide_pick(back, p3, p0);
+    s.p[1] = n3i_wide_pick(back, p2, p1);
+    s.p[2] = n3i_wide_pick(back, p1, p2);
+    s.p[3] = n3i_wide_pick(back, p0, p3);
+    s.at = n3i_pick(back, n3i_wide_of((n3_real)level), n3i_wide_of(0));
+    s.step = n3i_pick(back, n3i_wide_of(-1), n3i_wide_of(1));
+    return s;
+}
+
+/* n3i_side_point at the next place. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_side_next(n3i_wide_side *side, int level)
+{
+    n3i_wide r = side->at / (n3_real)level, s = 1 - r;
+    const n3i_wide_vec *p = side->p;
+    side->at += side->step;
+    return n3i_wide_add(
+        n3i_wide_add(n3i_wide_mul(s * s * s, p[0]), n3i_wide_mul(3 * s * s * r, p[1])),
+        n3i_wide_add(n3i_wide_mul(3 * s * r * r, p[2]), n3i_wide_mul(r * r * r, p[3])));
+}                                                                                   /* (5.1.1) */
+
+/* The coefficients of u^i v^j in steps of h, i + 4 j - j (j - 1)/2 counting rows of constant j:
+   3!/(i! j! (3 - i - j)!) h^(i+j) times differences of the net at p003. */
+N3I_WIDE_API void n3i_wide_powers(const n3i_wide_vec q[10], n3_real h, n3i_wide_vec c[10])
+{
+    n3i_wide h1 = n3i_wide_of(3 * h), h2 = n3i_wide_of(3 * h * h), h3 = n3i_wide_of(h * h * h);
+    n3i_wide_vec u0 = n3i_wide_sub(q[3], q[0]), v0 = n3i_wide_sub(q[8], q[0]);
+    n3i_wide_vec u1 = n3i_wide_sub(q[4], q[3]), v1 = n3i_wide_sub(q[7], q[8]);
+    n3i_wide_vec u2 = n3i_wide_sub(q[1], q[4]), v2 = n3i_wide_sub(q[2], q[7]);
+    n3i_wide_vec a = n3i_wide_sub(q[9], q[8]), b = n3i_wide_sub(q[9], q[3]);
+    n3i_wide_vec uu = n3i_wide_sub(u1, u0), vv = n3i_wide_sub(v1, v0);
+    n3i_wide_vec uuv = n3i_wide_sub(n3i_wide_sub(n3i_wide_sub(q[5], q[9]), a), uu);
+    n3i_wide_vec uvv = n3i_wide_sub(n3i_wide_sub(n3i_wide_sub(q[6], q[9]), b), vv);
+    c[0] = q[0];
+    c[1] = n3i_wide_mul(h1, u0);
+    c[2] = n3i_wide_mul(h2, uu);
+    c[3] = n3i_wide_mul(h3, n3i_wide_sub(n3i_wide_sub(u2, u1), uu));
+    c[4] = n3i_wide_mul(h1, v0);
+    c[5] = n3i_wide_mul(2 * h2, n3i_wide_sub(a, u0));
+    c[6] = n3i_wide_mul(3 * h3, uuv);
+    c[7] = n3i_wide_mul(h2, vv);
+    c[8] = n3i_wide_mul(3 * h3, uvv);
+    c[9] = n3i_wide_mul(h3, n3i_wide_sub(n3i_wide_sub(v2, v1), vv));
+}
+
+/* The points of a lattice, or those inside it alone, in rows of constant v = j / level. Inside, and
+   not on the sides, x = c0 + u (c1 + u (c2 + u c3)) with u in steps and coefficients that a row
+   shares. */
+N3I_WIDE_API n3i_mask n3i_wide_lattice(const n3i_wide_vec q[10], int level, int inside,
+                                       n3i_sink *sink)
+{
+    n3i_wide one = n3i_wide_of(1), u, v = one, *at = sink->held;
+    n3i_wide_vec c[10], row[3], x;
+    n3i_mask ok = (n3i_mask)(one > 0);
+    n3i_wide_side ab = n3i_wide_side_of(q[0], q[3], q[4], q[1], level, &ok);
+    n3i_wide_side bc = n3i_wide_side_of(q[1], q[5], q[6], q[2], level, &ok);
+    n3i_wide_side ac = n3i_wide_side_of(q[0], q[8], q[7], q[2], level, &ok);
+    int i, j;
+    n3i_wide_powers(q, 1 / (n3_real)level, c);
+    n3i_wide_side_next(&bc, level);
+    n3i_wide_side_next(&ac, level);
+    for (i = 0; !inside && i <= level; i++) at = n3i_put(sink, at, n3i_wide_side_next(&ab, level));
+    for (j = 1; j <= level; j++, v += one) {
+        row[0] = n3i_wide_step(n3i_wide_step(n3i_wide_step(c[9], v, c[7]), v, c[4]), v, c[0]);
+        row[1] = n3i_wide_step(n3i_wide_step(c[8], v, c[5]), v, c[1]);
+        row[2] = n3i_wide_step(c[6], v, c[2]);
+        if (!inside) at = n3i_put(sink, at, n3i_wide_side_next(&ac, level));
+        for (i = 1, u = one; i < level - j; i++, u += one) {
+            x = n3i_wide_step(n3i_wide_step(c[3], u, row[2]), u, row[1]);
+            at = n3i_put(sink, at, n3i_wide_step(x, u, row[0]));
+        }
+        if (!inside && j < level) at = n3i_put(sink, at, n3i_wide_side_next(&bc, level));
+    }
+    n3i_flush(sink, at);
+    return ok;
+}
+
+/* In a patch of size 1 a normal du x dv that is longer is made by the wide form: its direction has
+   half its digits (float: two thirds) at least. */
+#define N3I_CLEAR (N3I_PICK((n3_real)1 / 1048576, (n3_real)1 / 512))
+
+/* The normals of a lattice, in the same rows. */
+N3I_WIDE_API n3i_mask n3i_wide_normals(const n3i_wide_vec q[10], int level, n3i_sink *sink)
+{
+    n3i_wide_vec c[10], du[2], dv[2], s, t;
+    n3i_wide one = n3i_wide_of(1), size = n3i_wide_of(0), u, v = size, nn, *at = sink->held;
+    n3_real h = 1 / (n3_real)level, clear = N3I_CLEAR * h * h;
+    n3i_mask ok;
+    int i, j;
+    n3i_wide_powers(q, h, c);
+    for (i = 1; i < 10; i++) {
+        s = n3i_wide_sub(q[i], q[0]);
+        size += n3i_wide_dot(s, s);
+    }
+    ok = (n3i_mask)(size > 0);
+    size = 1 / n3i_wide_sqrt(n3i_pick(ok, size, one));
+    for (i = 1; i < 10; i++) c[i] = n3i_wide_mul(size, c[i]);
+    for (j = 0; j <= level; j++, v += one) {
+        du[0] = n3i_wide_step(n3i_wide_step(c[8], v, c[5]), v, c[1]);
+        du[1] = n3i_wide_mul(2 * one, n3i_wide_step(c[6], v, c[2]));
+        dv[0] = n3i_wide_step(n3i_wide_step(c[9], 3 * v, n3i_wide_add(c[7], c[7])), v, c[4]);
+        dv[1] = n3i_wide_step(c[8], 2 * v, c[5]);
+        for (i = 0, u = 0 * one; i <= level - j; i++, u += one) {
+            s = n3i_wide_step(n3i_wide_step(c[3], 3 * u, du[1]), u, du[0]);
+            t = n3i_wide_step(n3i_wide_step(c[6], u, dv[1]), u, dv[0]);
+            s = n3i_wide_cross(s, t);
+            nn = n3i_wide_dot(s, s);
+            ok &= (n3i_mask)(nn > clear * clear);
+            at = n3i_put(sink, at, n3i_wide_mul(1 / n3i_wide_sqrt(n3i_pick(ok, nn, one)), s));
+        }
+    }
+    n3i_flush(sink, at);
+    return ok;
+}
+
+/* What is wanted of a lattice: its points, those inside, or its normals. */
+enum { N3I_POINTS, N3I_INSIDE, N3I_NORMALS };
+
+/* What the wide form left out. */
+NAGATA3_API void n3i_plain_lattice(const n3_patch *p, int level, int what, n3_vec *out)
+{
+    n3_edge side[3];
+    n3_real u, v;
+    int i, j, inside = what == N3I_INSIDE;
+    n3_patch_edges(p, side);
+    side[2] = n3_edge_reverse(&side[2]);
+    for (j = inside; j <= level - inside; j++)
+        for (i = inside; i <= level - j - inside; i++) {
+            n3i_lattice_uv(level, i, j, &u, &v);
+            if (what == N3I_NORMALS) *out++ = n3_patch_normal(p, u, v);
+            else if (j == 0) *out++ = n3i_side_point(side[0], i, level);
+            else if (i == 0) *out++ = n3i_side_point(side[2], j, level);
+            else if (i + j == level) *out++ = n3i_side_point(side[1], j, level);
+            else *out++ = n3_patch_point(p, u, v);
+        }
+}
+
+/* The lattices of count patches, at most N3I_WIDTH, one after the other. */
+NAGATA3_API void n3i_lattices(const n3_patch *patch, int count, int level, int what, n3_vec *out)
+{
+    const n3_real *from[N3I_WIDTH];
+    n3i_wide_vec q[10];
+    n3i_sink sink;
+    n3i_mask ok;
+    size_t size = (size_t)n3i_inside(what == N3I_INSIDE ? level : level + 3);
+    int i;
+    for (i = 0; i < N3I_WIDTH; i++) {
+        int lane = i < count ? i : count - 1; /* more than once where there are too few */
+        from[i] = &patch[lane].p[0].x;
+        sink.to[i] = &out[size * (size_t)lane].x;
+    }
+    n3i_load(from, 30, &q[0].x);
+    if (what == N3I_NORMALS) ok = n3i_wide_normals(q, level, &sink);
+    else if (what == N3I_POINTS) ok = n3i_wide_lattice(q, level, 0, &sink);
+    else ok = n3i_wide_lattice(q, level, 1, &sink);
+    for (i = 0; i < count; i++)
+        if (!n3i_lane(ok, i)) n3i_plain_lattice(&patch[i], level, what, out + size * (size_t)i);
+}
+
+NAGATA3_API void n3i_lattice_range(const n3_patch *patch, int first, int last, int level, int what,
+                                   n3_vec *out)
+{
+    size_t size = (size_t)n3i_inside(level + 3);
+    for (; first < last; first += N3I_WIDTH, out += N3I_WIDTH * size) {
+        int count = last - first < N3I_WIDTH ? last - first : N3I_WIDTH;
+        n3i_lattices(patch + first, count, level, what, out);
+    }
+}
+
+NAGATA3_API void n3_lattice_points(const n3_patch *patch, int first, int last, int level,
+                                   n3_vec *point)
+{
+    n3i_lattice_range(patch, first, last, level, N3I_POINTS, point);
+}
+
+NAGATA3_API void n3_lattice_normals(const n3_patch *patch, int first, int last, int level,
+                                    n3_vec *normal)
+{
+    n3i_lattice_range(patch, first, last, level, N3I_NORMALS, normal);
+}
+
+NAGATA3_API void n3_lattice_triangles(int first, int last, int level, int *triangle)
+{
+    int i, j, at = first * n3i_inside(level + 3);
+    for (; first < last; first++, at++)
+        for (j = level; j > 0; j--, at++) /* rows of j + 1 points */
+            for (i = 0; i < j; i++, at++) {
+                triangle[0] = at;
+                triangle[1] = at + 1;
+                triangle[2] = at + j + 1;
+                triangle += 3;
+                if (i + 1 == j) continue;
+                triangle[0] = at + j + 2;
+                triangle[1] = at + j + 1;
+                triangle[2] = at + 1;
+                triangle += 3;
+            }
+}
+
+/* ---- Definitions: refinement ---- */
 
 NAGATA3_API n3_status n3_mesh_refine_counts(const n3_mesh *m, const n3_topology *t, int level,
                                             int *points, int *triangles, int *normals)
@@ -2256,100 +2989,97 @@ NAGATA3_API int n3i_lattice_point(const n3i_lattice *g, int i, int j)
     return g->inside + (j - 1) * (n - 1) - (j - 1) * j / 2 + i - 1;
 }
 
-/* The numbers u and v there; on bc so that 1 - u - v is exactly 0. */
-NAGATA3_API void n3i_lattice_uv(int level, int i, int j, n3_real *u, n3_real *v)
-{
-    *u = (n3_real)i / (n3_real)level;
-    *v = i + j == level ? 1 - *u : (n3_real)j / (n3_real)level;
-}
-
 /* Points of the edges: from the canonical end, so that numbering the points anew changes none. */
 NAGATA3_API void n3i_refine_edges(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
                                   int level, n3_vec *point)
 {
-    int edge, k, end[2];
-    for (edge = 0; edge < t->edges; edge++) {
-        n3_vec *out = point + m->points + (level - 1) * edge;
-        const n3_vec *handle = net + m->points + 2 * edge;
-        n3_edge e;
-        int back;
-        n3_mesh_edge_ends(m, t, edge, end);
-        e = n3i_edge_of(net[end[0]], handle[0], handle[1], net[end[1]]);
-        back = n3i_edge_order(&e) > 0;
-        if (back) e = n3_edge_reverse(&e);
-        for (k = 1; k < level; k++)
-            out[(back ? level - k : k) - 1] = n3_edge_point(&e, (n3_real)k / (n3_real)level);
+    const n3_real *from[N3I_WIDTH];
+    n3_edge e[N3I_WIDTH];
+    n3i_wide_vec p[4];
+    n3i_wide_side side;
+    n3i_wide *at;
+    n3i_sink sink;
+    n3i_mask ok;
+    int edge, i, k, end[2];
+    for (edge = 0; edge < t->edges; edge += N3I_WIDTH) {
+        for (i = 0; i < N3I_WIDTH; i++) {
+            int lane = edge + i < t->edges ? edge + i : t->edges - 1;
+            const n3_vec *handle = net + m->points + 2 * lane;
+            n3_mesh_edge_ends(m, t, lane, end);
+            e[i] = n3i_edge_of(net[end[0]], handle[0], handle[1], net[end[1]]);
+            from[i] = &e[i].p[0].x;
+            sink.to[i] = &point[m->points + (level - 1) * lane].x;
+        }
+        n3i_load(from, 12, &p[0].x);
+        ok = (n3i_mask)(p[0].x <= p[0].x);
+        side = n3i_wide_side_of(p[0], p[1], p[2], p[3], level, &ok);
+        n3i_wide_side_next(&side, level);
+        for (i = 1, at = sink.held; i < level; i++)
+            at = n3i_put(&sink, at, n3i_wide_side_next(&side, level));
+        n3i_flush(&sink, at);
+        for (i = 0; i < N3I_WIDTH && edge + i < t->edges; i++)
+            for (k = 1; !n3i_lane(ok, i) && k < level; k++)
+                point[m->points + (level - 1) * (edge + i) + k - 1] = n3i_side_point(e[i], k, level);
+    }
+}
+
+/* The lattices of all patches, those of collapsed triangles left out. */
+NAGATA3_API void n3i_refine_patches(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                    int level, int what, n3_vec *out)
+{
+    n3_patch p[N3I_WIDTH];
+    int f, count = 0, size = n3i_inside(what == N3I_INSIDE ? level : level + 3);
+    for (f = 0; f < m->triangles; f++) {
+        if (!n3i_is_collapsed(m, f)) p[count++] = n3i_mesh_patch(m, t, net, f);
+        if (count == 0 || (count < N3I_WIDTH && f + 1 < m->triangles)) continue;
+        n3i_lattices(p, count, level, what, out);
+        out += (size_t)count * (size_t)size;
+        count = 0;
     }
 }
 
 NAGATA3_API void n3i_refine_points(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
                                    int level, n3_vec *point)
 {
-    int f, i, j;
-    n3_real u, v;
+    int i;
     for (i = 0; i < m->points; i++) point[i] = net[i];
+    if (level < 2) return;
     n3i_refine_edges(m, t, net, level, point);
-    point += m->points + (level - 1) * t->edges;
-    for (f = 0; f < m->triangles; f++) {
-        n3_patch p = n3i_mesh_patch(m, t, net, f);
-        if (n3i_is_collapsed(m, f)) continue;
-        for (j = 1; j < level - 1; j++)
-            for (i = 1; i < level - j; i++) {
-                n3i_lattice_uv(level, i, j, &u, &v);
-                *point++ = n3_patch_point(&p, u, v);
-            }
-    }
+    if (level < 3) return;
+    n3i_refine_patches(m, t, net, level, N3I_INSIDE, point + m->points + (level - 1) * t->edges);
 }
 
-NAGATA3_API void n3i_refine_normals(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
-                                    int level, n3_vec *normal)
+/* The triangles of a lattice between the rows j and j + 1: along both, one up, one down. */
+NAGATA3_API int *n3i_refine_row(const n3i_lattice *g, int j, int *triangle)
 {
-    int f, i, j;
-    n3_real u, v;
-    for (f = 0; f < m->triangles; f++) {
-        n3_patch p = n3i_mesh_patch(m, t, net, f);
-        if (n3i_is_collapsed(m, f)) continue;
-        for (j = 0; j <= level; j++)
-            for (i = 0; i <= level - j; i++) {
-                n3i_lattice_uv(level, i, j, &u, &v);
-                *normal++ = n3_patch_normal(&p, u, v);
-            }
+    int i, low = n3i_lattice_point(g, 0, j), high = n3i_lattice_point(g, 0, j + 1);
+    for (i = 1; i <= g->level - j; i++) {
+        int next = n3i_lattice_point(g, i, j);
+        *triangle++ = low;
+        *triangle++ = next;
+        *triangle++ = high;
+        low = next;
+        if (i == g->level - j) break;
+        next = n3i_lattice_point(g, i, j + 1);
+        *triangle++ = next;
+        *triangle++ = high;
+        *triangle++ = low;
+        high = next;
     }
-}
-
-/* A triangle of the lattice, with (i, j) at its right angle; side 1 up, -1 down. */
-NAGATA3_API void n3i_refine_triangle(const n3i_lattice *g, int i, int j, int side, int first,
-                                     int *triangle, int *corner)
-{
-    int k, at[3][2];
-    at[0][0] = at[2][0] = i;
-    at[0][1] = at[1][1] = j;
-    at[1][0] = i + side;
-    at[2][1] = j + side;
-    for (k = 0; k < 3; k++) {
-        int row = at[k][1];
-        if (triangle) triangle[k] = n3i_lattice_point(g, at[k][0], row);
-        if (corner) corner[k] = first + row * (g->level + 1) - row * (row - 1) / 2 + at[k][0];
-    }
+    return triangle;
 }
 
 NAGATA3_API void n3i_refine_triangles(const n3_mesh *m, const n3_topology *t, int level,
                                       int *triangle, int *corner)
 {
-    int f, i, j, live = 0, made = 0;
+    int f, j, live = 0;
     for (f = 0; f < m->triangles; f++) {
-        n3i_lattice g = n3i_lattice_of(m, t, level, f, live);
-        int first = n3i_inside(level + 3) * live;
+        n3i_lattice g;
         if (n3i_is_collapsed(m, f)) continue;
-        live++;
-        for (j = 0; j < level; j++)
-            for (i = 0; i < 2 * (level - j) - 1; i++, made += 3) {
-                int down = i % 2, k = (i + 1) / 2; /* up (k, j), or down (k, j + 1) */
-                n3i_refine_triangle(&g, k, j + down, down ? -1 : 1, first,
-                                    triangle ? triangle + made : NULL,
-                                    corner ? corner + made : NULL);
-            }
+        g = n3i_lattice_of(m, t, level, f, live++);
+        for (j = 0; triangle && j < level; j++) triangle = n3i_refine_row(&g, j, triangle);
     }
+    if (corner) n3_lattice_triangles(0, live, level, corner);
 }
 
 /* From the last triangle to the first, so that the lowest stays. A collapsed one has no points
@@ -2385,7 +3115,7 @@ NAGATA3_API n3_status n3_mesh_refine(const n3_mesh *m, const n3_topology *t, con
     if ((point || normal) && !net) return N3_NULL_POINTER;
     if (point) n3i_refine_points(m, t, net, level, point);
     if (triangle || corner) n3i_refine_triangles(m, t, level, triangle, corner);
-    if (normal) n3i_refine_normals(m, t, net, level, normal);
+    if (normal) n3i_refine_patches(m, t, net, level, N3I_NORMALS, normal);
     if (parent || uv) n3i_refine_parents(m, t, level, parent, uv);
     return N3_OK;
 }
@@ -2447,6 +3177,613 @@ NAGATA3_API n3_status n3_mesh_field(const n3_mesh *m, const n3_topology *t, int 
             for (k = 0; k < components; k++) row[k] += weight[q] * value[k];
         }
     }
+    return N3_OK;
+}
+
+/* ---- Definitions: how a triangle is cut ---- */
+
+/* The most parts of an edge or a row: the product of two of them is exact in n3_real. */
+enum { N3I_PARTS = 4096 };
+
+/* A triangle is cut in one of two ways, between sides of so many parts each.
+   Into rows parallel to its base, the side from its corner base to the next, one with the fewest
+   parts. Row 0 is the base, row rows the apex; those between have points inside, so that the
+   longest has as many parts as parts says. Their ends are points of the two other sides, where
+   several rows may end in one. With equal parts everywhere it is the lattice of n3_mesh_refine.
+   Or, with inner > 0, round a lattice of inner - 2 parts, which is at the weights
+
+       (i + 2/3) / inner, (j + 2/3) / inner, (k + 2/3) / inner,        i + j + k = inner - 2
+
+   It is one of inner parts, but that its rim lies at 2/3 of a row from the sides, where it fits to
+   them wherever their points are: in an equilateral triangle with sides of inner parts, no facet
+   between them has a larger circumcircle than those within. */
+typedef struct n3i_cut { int side[3], base, parts, inner, strips; } n3i_cut;
+
+/* parts < 0: round an inner lattice of -parts. There are as many strips as rows, or those at the
+   sides and those within. */
+NAGATA3_API n3i_cut n3i_cut_make(const int side[3], int parts)
+{
+    n3i_cut c;
+    int i;
+    c.base = 0;
+    c.inner = parts < 0 ? -parts : 0;
+    c.strips = c.parts = parts;
+    for (i = 0; i < 3; i++) {
+        c.side[i] = side[i];
+        if (side[i] < side[c.base]) c.base = i;
+        if (side[i] > c.strips) c.strips = side[i];
+    }
+    if (c.inner) c.strips = c.inner + 1;
+    return c;
+}
+
+NAGATA3_API int n3i_row_parts(const n3i_cut *c, int row)
+{
+    return ((c->strips - row) * c->parts + c->strips - 1) / c->strips;
+}
+
+/* The points inside that are on a row, here one of the inner lattice where there is such. */
+NAGATA3_API int n3i_row_inside(const n3i_cut *c, int row)
+{
+    if (c->inner) return row < c->inner - 1 ? c->inner - 1 - row : 0;
+    return row == 0 || row == c->strips ? 0 : n3i_row_parts(c, row) - 1;
+}
+
+NAGATA3_API int n3i_cut_inside(const n3i_cut *c)
+{
+    int row, n = 0;
+    for (row = 0; row < c->strips; row++) n += n3i_row_inside(c, row);
+    return n;
+}
+
+/* A point of the cut triangle. Its index counts the corners, then the points of the sides, then
+   those inside, row by row. */
+typedef struct n3i_spot { int index; n3_real u, v; } n3i_spot;
+
+/* The index of the first point inside. */
+NAGATA3_API int n3i_cut_first(const n3i_cut *c) { return c->side[0] + c->side[1] + c->side[2]; }
+
+NAGATA3_API n3i_spot n3i_spot_at(int index, int corner, n3_real w, n3_real next, n3_real last)
+{
+    n3_real weight[3];
+    n3i_spot s;
+    weight[corner] = w;
+    weight[(corner + 1) % 3] = next;
+    weight[(corner + 2) % 3] = last;
+    s.index = index;
+    s.u = weight[1];
+    s.v = weight[2];
+    return s;
+}
+
+/* At k parts of a side from its corner; on bc so that 1 - u - v is exactly 0. */
+NAGATA3_API n3i_spot n3i_side_spot(const n3i_cut *c, int side, int k)
+{
+    int i, parts = c->side[side], index = 2 + k;
+    n3_real w = (n3_real)(parts - k) / (n3_real)parts;
+    n3_real next = side == 1 ? 1 - w : (n3_real)k / (n3_real)parts;
+    for (i = 0; i < side; i++) index += c->side[i] - 1;
+    if (k == 0) index = side;
+    if (k == parts) index = (side + 1) % 3;
+    return n3i_spot_at(index, side, w, next, 0);
+}
+
+/* The point of a side of so many parts that is next to k / n of the way. Only the end at the base
+   takes more than one row that is none of its own: no facet then lies in the side. */
+NAGATA3_API int n3i_snap(int k, int n, int parts, int up)
+{
+    int at = (2 * k * parts + n) / (2 * n);
+    if (k == 0 || k == n) return at;
+    if (parts == 1) return up ? 0 : 1;
+    return at < 1 ? 1 : at > parts - 1 ? parts - 1 : at;
+}
+
+/* Point i of a row, of which the first inside has the index first. */
+NAGATA3_API n3i_spot n3i_row_spot(const n3i_cut *c, int row, int i, int first)
+{
+    int rows = c->strips, parts = n3i_row_parts(c, row), all = rows * parts;
+    int left = (c->base + 2) % 3, right = (c->base + 1) % 3;
+    if (row == 0)
+        return n3i_side_spot(c, c->base, n3i_snap(i, parts, c->side[c->base], 1));
+    if (i == parts)
+        return n3i_side_spot(c, right, n3i_snap(row, rows, c->side[right], 1));
+    if (i == 0)
+        return n3i_side_spot(c, left, n3i_snap(rows - row, rows, c->side[left], 0));
+    return n3i_spot_at(first + i - 1, c->base, (n3_real)((rows - row) * (parts - i)) / (n3_real)all,
+                       (n3_real)((rows - row) * i) / (n3_real)all, (n3_real)row / (n3_real)rows);
+}
+
+/* Point i of row j of the inner lattice. */
+NAGATA3_API n3i_spot n3i_inner_spot(const n3i_cut *c, int i, int j)
+{
+    int index = n3i_cut_first(c) + j * (c->inner - 1) - j * (j - 1) / 2 + i;
+    int k = c->inner - 2 - i - j;
+    n3_real all = (n3_real)(3 * c->inner);
+    return n3i_spot_at(index, 0, (n3_real)(3 * k + 2) / all, (n3_real)(3 * i + 2) / all,
+                       (n3_real)(3 * j + 2) / all);
+}
+
+/* ---- Definitions: the facets of a cut triangle ---- */
+
+/* A strip of facets lies between two chains of points, a low one and a high one, of so many parts.
+   Rows: strip i is between row i and the next. Else strips 0 to 2 are between the sides and the
+   inner lattice, the others between its rows. On the way through the facets: at which points of
+   the chains; the index of the low chain's first point inside. */
+typedef struct n3i_walk { int strip, parts[2], at[2], first; } n3i_walk;
+
+NAGATA3_API void n3i_walk_strip(const n3i_cut *c, n3i_walk *w, int strip, int first)
+{
+    w->strip = strip;
+    w->first = first;
+    w->at[0] = w->at[1] = 0;
+    w->parts[0] = c->inner ? c->inner + 1 - strip : n3i_row_parts(c, strip);
+    w->parts[1] = c->inner ? w->parts[0] - 1 : n3i_row_parts(c, strip + 1);
+    if (!c->inner || strip >= 3) return;
+    w->parts[0] = c->side[strip];
+    w->parts[1] = c->inner - 2;
+}
+
+NAGATA3_API n3i_walk n3i_walk_start(const n3i_cut *c)
+{
+    n3i_walk w;
+    n3i_walk_strip(c, &w, 0, n3i_cut_first(c));
+    return w;
+}
+
+/* Where the walk is on the low or on the high chain. */
+NAGATA3_API n3i_spot n3i_walk_spot(const n3i_cut *c, const n3i_walk *w, int high)
+{
+    int i = w->at[high], last = c->inner - 2;
+    int first = high ? w->first + n3i_row_inside(c, w->strip) : w->first;
+    if (!c->inner) return n3i_row_spot(c, w->strip + high, i, first);
+    if (w->strip >= 3) return n3i_inner_spot(c, i, w->strip - 3 + high);
+    if (!high) return n3i_side_spot(c, w->strip, i);
+    if (w->strip == 0) return n3i_inner_spot(c, i, 0);
+    return w->strip == 1 ? n3i_inner_spot(c, last - i, i) : n3i_inner_spot(c, 0, last - i);
+}
+
+/* Whether the next facet stands on the low chain: on it the middle of the next part comes first.
+   Beside a side the inner lattice begins one part from its end. */
+NAGATA3_API int n3i_walk_is_low(const n3i_cut *c, const n3i_walk *w)
+{
+    int low = 2 * w->at[0] + 1, high = 2 * w->at[1] + 1;
+    if (w->at[1] == w->parts[1] || w->at[0] == w->parts[0]) return w->at[0] < w->parts[0];
+    if (c->inner && w->strip < 3) return low * c->inner < (high + 2) * w->parts[0];
+    return low * w->parts[1] < high * w->parts[0];
+}
+
+NAGATA3_API void n3i_walk_step(const n3i_cut *c, n3i_walk *w, n3i_spot out[3])
+{
+    int high = !n3i_walk_is_low(c, w);
+    out[high] = n3i_walk_spot(c, w, high);
+    out[2] = n3i_walk_spot(c, w, !high);
+    w->at[high]++;
+    out[!high] = n3i_walk_spot(c, w, high);
+    if (w->at[0] == w->parts[0] && w->at[1] == w->parts[1])
+        n3i_walk_strip(c, w, w->strip + 1, w->first + n3i_row_inside(c, w->strip));
+}
+
+/* The next facet that has three points; false: there is none. */
+NAGATA3_API int n3i_walk_next(const n3i_cut *c, n3i_walk *w, n3i_spot out[3])
+{
+    while (w->strip < c->strips) {
+        n3i_walk_step(c, w, out);
+        if (out[0].index != out[1].index && out[1].index != out[2].index &&
+            out[2].index != out[0].index)
+            return 1;
+    }
+    return 0;
+}
+
+/* ---- Definitions: the distance between a facet and its part of the patch ---- */
+
+/* The control vectors of du x dv at [i][j], the exponents of u and v, each but for a factor above
+   0: sums of the crosses of the quadratic nets of du and dv, in the order of n3_patch2.p, in which the
+   Bernstein polynomials of the last three carry a 2. */
+NAGATA3_API void n3i_normal_net(const n3_patch *p, n3_vec out[5][5])
+{
+    static const int from[6] = {0, 4, 7, 3, 9, 8}, to_u[6] = {3, 1, 6, 4, 5, 9};
+    static const int to_v[6] = {8, 5, 2, 9, 6, 7};
+    static const int power[6][2] = {{0, 0}, {2, 0}, {0, 2}, {1, 0}, {1, 1}, {0, 1}};
+    int a, b, i, j;
+    for (i = 0; i < 5; i++)
+        for (j = 0; j < 5; j++) out[i][j] = n3_v(0, 0, 0);
+    for (a = 0; a < 6; a++)
+        for (b = 0; b < 6; b++) {
+            n3_vec du = n3_sub(p->p[to_u[a]], p->p[from[a]]);
+            n3_vec dv = n3_sub(p->p[to_v[b]], p->p[from[b]]);
+            int times = (a > 2 ? 2 : 1) * (b > 2 ? 2 : 1);
+            i = power[a][0] + power[b][0];
+            j = power[a][1] + power[b][1];
+            out[i][j] = n3_add(out[i][j], n3_mul((n3_real)times, n3_cross(du, dv)));
+        }
+}
+
+/* The patch as its second differences at the corners, second derivatives over 6: along u, along
+   both, along v. And which share of a vector leads away from the patch: the one along N, and of the
+   rest not more than the slope, the largest tangent of an angle between its normals and N. */
+typedef struct n3i_bend { n3_vec at[3][3], N; n3_real slope; } n3i_bend;
+
+/* No normal of the patch is beyond those of its net. */
+NAGATA3_API void n3i_bend_slope(const n3_patch *p, n3i_bend *b)
+{
+    n3_patch boxed = n3i_patch_boxed(p);
+    n3_vec net[5][5], sum = n3_v(0, 0, 0);
+    int i, j;
+    n3i_normal_net(&boxed, net);
+    for (i = 0; i < 5; i++)
+        for (j = 0; i + j < 5; j++) sum = n3_add(sum, net[i][j]);
+    b->N = n3_unit(sum);
+    b->slope = 0;
+    for (i = 0; i < 5; i++)
+        for (j = 0; i + j < 5; j++) {
+            n3_real height = n3_dot(net[i][j], b->N), side = n3_len(n3_cross(net[i][j], b->N));
+            if (side >= height) b->slope = side > 0 ? 1 : b->slope;
+            else b->slope = n3i_larger(b->slope, side / height);
+        }
+}
+
+NAGATA3_API n3i_bend n3i_bend_of(const n3_patch *p)
+{
+    static const int at[4][4] = {{0, 8, 7, 2}, {3, 9, 6, 0}, {4, 5, 0, 0}, {1, 0, 0, 0}};
+    n3i_bend b;
+    int c;
+    for (c = 0; c < 3; c++) {
+        int i = c == 1, j = c == 2;
+        n3_vec o = p->p[at[i][j]], u = n3_sub(p->p[at[i + 1][j]], o);
+        n3_vec v = n3_sub(p->p[at[i][j + 1]], o);
+        b.at[c][0] = n3_sub(n3_sub(p->p[at[i + 2][j]], p->p[at[i + 1][j]]), u);
+        b.at[c][1] = n3_sub(n3_sub(p->p[at[i + 1][j + 1]], p->p[at[i + 1][j]]), v);
+        b.at[c][2] = n3_sub(n3_sub(p->p[at[i][j + 2]], p->p[at[i][j + 1]]), v);
+    }
+    n3i_bend_slope(p, &b);
+    return b;
+}
+
+/* The second difference at a spot along the way from x to y. */
+NAGATA3_API n3_vec n3i_bend_along(const n3i_bend *b, const n3i_spot *at, const n3i_spot *x,
+                                  const n3i_spot *y)
+{
+    n3_real u = y->u - x->u, v = y->v - x->v, w = 1 - at->u - at->v;
+    n3_vec of[3];
+    int c;
+    for (c = 0; c < 3; c++)
+        of[c] = n3i_mix(u * u, b->at[c][0], 2 * u * v, b->at[c][1], v * v, b->at[c][2]);
+    return n3i_mix(w, of[0], at->u, of[1], at->v, of[2]);
+}
+
+/* The control vectors of the difference between a facet's part of the patch and the facet, with
+   the second differences G_i along a side e at its corners:
+
+       side      d_iij = -(2 G_i + G_j) / 3
+       centre    d_123 = (G_1(12) + G_1(13) - G_1(23)) / 2 + d_112 + d_113
+
+   out: the sides' two each, then the centre. */
+NAGATA3_API void n3i_facet_net(const n3i_bend *b, const n3i_spot s[3], n3_vec out[7])
+{
+    n3_vec first = n3_v(0, 0, 0);
+    int i;
+    for (i = 0; i < 3; i++) {
+        const n3i_spot *x = &s[i], *y = &s[(i + 1) % 3];
+        n3_vec gx = n3i_bend_along(b, x, x, y), gy = n3i_bend_along(b, y, x, y);
+        out[2 * i] = n3i_over(n3_add(gx, n3_add(gx, gy)), -3);
+        out[2 * i + 1] = n3i_over(n3_add(gy, n3_add(gx, gy)), -3);
+        if (i != 1) first = n3_add(first, i == 0 ? gx : gy);
+    }
+    first = n3_sub(first, n3i_bend_along(b, &s[0], &s[1], &s[2]));
+    out[6] = n3_add(n3_mul((n3_real)1 / 2, first), n3_add(out[0], out[5]));
+}
+
+/* The largest of xy a + yz b + zx c with x + y + z = 1, none of them negative: the square of the
+   circumradius of a triangle with sides of the squares a, b, c, or a quarter of the longest. */
+NAGATA3_API n3_real n3i_spread(n3_real a, n3_real b, n3_real c)
+{
+    n3_real most = n3i_larger(n3i_larger(a, b), c);
+    if (2 * most >= a + b + c) return most / 4;
+    return a * b * c / (2 * (a * b + b * c + c * a) - (a * a + b * b + c * c));
+}
+
+/* How far a difference can lead away from the patch: its length, or the share that counts. */
+NAGATA3_API n3_real n3i_bend_size(const n3i_bend *b, n3_vec d)
+{
+    n3_real all = n3_len(d), share = n3i_abs(n3_dot(d, b->N)) + b->slope * all;
+    return share < all ? share : all;
+}
+
+/* Whether the difference is nowhere longer than the distance. With D the longer vector of each
+   side it is at most
+
+       3 (D_12 xy + D_23 yz + D_31 zx) + 3 xyz (2 |d_123| - D_12 - D_23 - D_31),     xyz <= 1/27 */
+NAGATA3_API int n3i_is_within(const n3_vec net[7], n3_vec N, n3_real slope, n3_real distance)
+{
+    n3_real size[7], D[3], excess, bound;
+    int i;
+    for (i = 0; i < 7; i++)
+        size[i] = (n3i_abs(n3_dot(net[i], N)) + slope * n3_len(net[i])) / distance;
+    for (i = 0; i < 3; i++) {
+        D[i] = n3i_larger(size[2 * i], size[2 * i + 1]);
+        if (!(3 * D[i] <= 4)) return 0;
+    }
+    excess = 2 * size[6] - D[0] - D[1] - D[2];
+    bound = 3 * n3i_spread(D[0], D[1], D[2]);
+    return (excess > 0 ? bound + excess / 9 : bound) <= 1;
+}
+
+/* The number of facets; 0 if one is not within the distance, or is turned over or without an area,
+   which can be only where rows have fewer parts than there are rows. */
+NAGATA3_API int n3i_cut_facets(const n3i_cut *c, const n3i_bend *b, n3_real distance)
+{
+    n3i_walk walk = n3i_walk_start(c);
+    n3i_spot s[3];
+    n3_vec net[7];
+    int n = 0;
+    for (; n3i_walk_next(c, &walk, s); n++) {
+        n3_real area = (s[1].u - s[0].u) * (s[2].v - s[0].v) -
+                       (s[2].u - s[0].u) * (s[1].v - s[0].v);
+        if (!c->inner && c->parts < c->strips && area <= 16 * N3_EPS) return 0;
+        n3i_facet_net(b, s, net);
+        if (n3i_is_within(net, n3_v(0, 0, 0), 1, distance)) continue;
+        if (b->slope < 1 && n3i_is_within(net, b->N, b->slope, distance)) continue;
+        return 0;
+    }
+    return n;
+}
+
+/* ---- Definitions: refinement to a distance ---- */
+
+/* sqrt(size / distance), rounded up, at least 1; 0: more than N3I_PARTS. */
+NAGATA3_API int n3i_parts(n3_real size, n3_real distance)
+{
+    n3_real parts = n3i_sqrt(size / distance);
+    int whole;
+    if (!(parts <= (n3_real)N3I_PARTS)) return 0;
+    whole = (int)parts;
+    return whole + ((n3_real)whole < parts || whole == 0);
+}
+
+/* The longest second difference along a side, or half the largest twist there if that is longer:
+   the second difference along the side and across, by the way from the third corner to that place
+   in the middle half of the side where it is least. */
+NAGATA3_API n3_real n3i_side_size(const n3i_bend *b, int side)
+{
+    static const n3i_spot corner[3] = {{0, 0, 0}, {1, 1, 0}, {2, 0, 1}};
+    const n3i_spot *x = &corner[side], *y = &corner[(side + 1) % 3], *z = &corner[(side + 2) % 3];
+    const n3_real quarter = (n3_real)1 / 4;
+    n3_real size = 0, square, s;
+    int i;
+    for (i = 0; i < 2; i++) {
+        const n3i_spot *at = i ? y : x;
+        n3_vec along = n3i_bend_along(b, at, x, y), across;
+        across = n3_mul(quarter, n3_sub(n3i_bend_along(b, at, z, x), n3i_bend_along(b, at, z, y)));
+        square = n3_dot(along, along);
+        s = square > 0 ? n3_dot(across, along) / square : 0;
+        if (!(n3i_abs(s) <= quarter)) s = s < 0 ? -quarter : quarter;
+        size = n3i_larger(size, n3_len(along));
+        size = n3i_larger(size, n3i_bend_size(b, n3_sub(across, n3_mul(s, along))));
+    }
+    return size;
+}
+
+NAGATA3_API n3_edge n3i_mesh_edge(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                  int edge)
+{
+    const n3_vec *handle = net + m->points + 2 * edge;
+    int end[2];
+    n3_mesh_edge_ends(m, t, edge, end);
+    return n3i_edge_of(net[end[0]], handle[0], handle[1], net[end[1]]);
+}
+
+NAGATA3_API n3i_cut n3i_mesh_cut_of(const n3_topology *t, const n3_cut *cut, int triangle)
+{
+    int i, side[3];
+    for (i = 0; i < 3; i++) {
+        int edge = t->edge[3 * triangle + i];
+        side[i] = edge < 0 ? 1 : cut[edge].parts;
+    }
+    return n3i_cut_make(side, cut[t->edges + triangle].parts);
+}
+
+/* The first way that does: in rows, with more and more parts, or else round an inner lattice; and
+   its facets, 0 if there is none. */
+NAGATA3_API n3i_cut n3i_cut_find(const int side[3], const n3_patch *p, n3_real distance,
+                                 int *facets)
+{
+    n3i_bend bend = n3i_bend_of(p);
+    n3i_cut c = n3i_cut_make(side, 1);
+    int most = c.strips, least = c.side[c.base], parts = least;
+    do {
+        c = n3i_cut_make(side, parts);
+        *facets = n3i_cut_facets(&c, &bend, distance);
+        parts += 1 + parts / 8;
+    } while (parts < most && !*facets);
+    for (parts = least > 2 ? least : 2; parts <= N3I_PARTS && !*facets; parts += 1 + parts / 16) {
+        c = n3i_cut_make(side, -parts);
+        *facets = n3i_cut_facets(&c, &bend, distance);
+    }
+    return c;
+}
+
+NAGATA3_API n3_status n3i_cut_edges(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                    n3_real distance, n3_cut *cut, int *points, int *item)
+{
+    int f, i;
+    for (i = 0; i < t->edges; i++) cut[i].parts = 1;
+    for (f = 0; f < m->triangles; f++) {
+        n3_patch p = n3i_mesh_patch(m, t, net, f);
+        n3i_bend b = n3i_bend_of(&p);
+        for (i = 0; i < 3 && !n3i_is_collapsed(m, f); i++) {
+            int edge = t->edge[3 * f + i], parts = n3i_parts(n3i_side_size(&b, i), distance);
+            if (parts == 0) return n3i_blame(N3_BAD_COUNT, edge, item);
+            if (parts > cut[edge].parts) cut[edge].parts = parts;
+        }
+    }
+    for (i = 0; i < t->edges; i++) {
+        cut[i].first = *points;
+        *points = n3i_count_add(*points, cut[i].parts - 1);
+    }
+    return *points < 0 ? n3i_blame(N3_BAD_COUNT, -1, item) : N3_OK;
+}
+
+NAGATA3_API n3_status n3_mesh_cut(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                  n3_real distance, n3_cut *cut, int *points, int *triangles,
+                                  int *normals, int *item)
+{
+    n3_status status = n3i_check(m, t, item);
+    int f, p, facets, made = 0, n = 0;
+    if (status != N3_OK) return status;
+    if (!net || !cut) return n3i_blame(N3_NULL_POINTER, -1, item);
+    if (!(distance > 0)) return n3i_blame(N3_BAD_COUNT, -1, item);
+    p = m->points;
+    status = n3i_cut_edges(m, t, net, distance, cut, &p, item);
+    for (f = 0; f < m->triangles && status == N3_OK; f++) {
+        n3_patch patch = n3i_mesh_patch(m, t, net, f);
+        n3_cut *own = &cut[t->edges + f];
+        n3i_cut c;
+        own->first = p;
+        own->parts = 1;
+        if (n3i_is_collapsed(m, f)) continue;
+        c = n3i_mesh_cut_of(t, cut, f);
+        c = n3i_cut_find(c.side, &patch, distance, &facets);
+        own->parts = c.parts;
+        p = n3i_count_add(p, n3i_cut_inside(&c));
+        made = n3i_count_add(made, facets);
+        n = n3i_count_add(n, n3i_cut_first(&c) + n3i_cut_inside(&c));
+        if (!facets || p < 0 || n < 0 || n3i_count_mul(3, made) < 0)
+            status = n3i_blame(N3_BAD_COUNT, -1, item);
+    }
+    if (points) *points = p;
+    if (triangles) *triangles = made;
+    if (normals) *normals = n;
+    return status;
+}
+
+/* The point of the mesh for a point of the cut triangle. */
+NAGATA3_API int n3i_cut_point(const n3_mesh *m, const n3_topology *t, const n3_cut *cut,
+                              int triangle, const n3i_cut *c, int index)
+{
+    int i, at = index - 3;
+    if (index < 3) return n3i_at(m, 3 * triangle + index);
+    for (i = 0; i < 3; i++) {
+        int s = 3 * triangle + i, inner = c->side[i] - 1;
+        int back = n3i_at(m, s) > n3i_at(m, n3i_after(s));
+        if (at < inner) return cut[t->edge[s]].first + (back ? inner - 1 - at : at);
+        at -= inner;
+    }
+    return cut[t->edges + triangle].first + at;
+}
+
+/* From the canonical end, so that numbering the points anew changes none. */
+NAGATA3_API void n3i_cut_edge_points(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                     const n3_cut *cut, n3_vec *point)
+{
+    int i, k;
+    for (i = 0; i < t->edges; i++) {
+        n3_edge e = n3i_mesh_edge(m, t, net, i);
+        int parts = cut[i].parts, back = n3i_edge_order(&e) > 0;
+        if (back) e = n3_edge_reverse(&e);
+        for (k = 1; k < parts; k++)
+            point[cut[i].first + (back ? parts - k : k) - 1] =
+                n3_edge_point(&e, (n3_real)k / (n3_real)parts);
+    }
+}
+
+/* What n3_mesh_refine_cut makes, and how far it has come. */
+typedef struct n3i_made {
+    n3_vec *point, *normal;
+    int *triangle, *corner, *origin, *parent;
+    n3_real *uv;
+    int triangles, normals;
+} n3i_made;
+
+NAGATA3_API void n3i_make_spot(const n3_patch *p, const n3i_spot *s, int point, int inside,
+                               int triangle, const n3i_made *out)
+{
+    if (out->point && inside) out->point[point] = n3_patch_point(p, s->u, s->v);
+    if (out->normal) out->normal[out->normals + s->index] = n3_patch_normal(p, s->u, s->v);
+    if (out->parent) out->parent[point] = triangle;
+    if (!out->uv) return;
+    out->uv[2 * (size_t)point] = s->u;
+    out->uv[2 * (size_t)point + 1] = s->v;
+}
+
+/* The points of a triangle: its sides', each without its end, then those inside, which a collapsed
+   one has not. */
+NAGATA3_API void n3i_make_spots(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                const n3_cut *cut, int triangle, const n3i_made *out)
+{
+    n3i_cut c = n3i_mesh_cut_of(t, cut, triangle);
+    n3_patch p = n3i_mesh_patch(m, t, net, triangle);
+    int i, k, row, first = n3i_cut_first(&c), rows = n3i_is_collapsed(m, triangle) ? 0 : c.strips;
+    for (i = 0; i < 3; i++)
+        for (k = 0; k < c.side[i]; k++) {
+            n3i_spot s = n3i_side_spot(&c, i, k);
+            int point = n3i_cut_point(m, t, cut, triangle, &c, s.index);
+            n3i_make_spot(&p, &s, point, 0, triangle, out);
+        }
+    for (row = 0; row < rows; row++) {
+        for (i = 0; i < n3i_row_inside(&c, row); i++) {
+            n3i_spot s = c.inner ? n3i_inner_spot(&c, i, row) : n3i_row_spot(&c, row, i + 1, first);
+            int point = n3i_cut_point(m, t, cut, triangle, &c, s.index);
+            n3i_make_spot(&p, &s, point, 1, triangle, out);
+        }
+        first += n3i_row_inside(&c, row);
+    }
+}
+
+NAGATA3_API void n3i_make_facets(const n3_mesh *m, const n3_topology *t, const n3_cut *cut,
+                                 int triangle, const n3i_cut *c, n3i_made *out)
+{
+    n3i_walk walk = n3i_walk_start(c);
+    n3i_spot s[3];
+    int i;
+    while (n3i_walk_next(c, &walk, s)) {
+        for (i = 0; i < 3; i++) {
+            size_t k = 3 * (size_t)out->triangles + (size_t)i;
+            if (out->triangle)
+                out->triangle[k] = n3i_cut_point(m, t, cut, triangle, c, s[i].index);
+            if (out->corner) out->corner[k] = out->normals + s[i].index;
+        }
+        if (out->origin) out->origin[out->triangles] = triangle;
+        out->triangles++;
+    }
+}
+
+/* From the last triangle to the first, so that the lowest stays. */
+NAGATA3_API void n3i_make_parents(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                  const n3_cut *cut, int *parent, n3_real *uv)
+{
+    n3i_made out = {NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0, 0};
+    int i;
+    out.parent = parent;
+    out.uv = uv;
+    for (i = 0; i < m->points; i++) {
+        if (parent) parent[i] = -1;
+        if (uv) uv[2 * (size_t)i] = uv[2 * (size_t)i + 1] = 0;
+    }
+    for (i = m->triangles - 1; i >= 0; i--) n3i_make_spots(m, t, net, cut, i, &out);
+}
+
+NAGATA3_API n3_status n3_mesh_refine_cut(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                         const n3_cut *cut, n3_vec *point, int *triangle,
+                                         n3_vec *normal, int *corner, int *origin, int *parent,
+                                         n3_real *uv)
+{
+    n3i_made out = {point, normal, triangle, corner, origin, NULL, NULL, 0, 0};
+    n3_status status = n3i_check(m, t, NULL);
+    int f, i;
+    if (status != N3_OK) return status;
+    if (!net || !cut) return N3_NULL_POINTER;
+    for (i = 0; i < m->points && point; i++) point[i] = net[i];
+    if (point) n3i_cut_edge_points(m, t, net, cut, point);
+    for (f = 0; f < m->triangles; f++) {
+        n3i_cut c;
+        if (n3i_is_collapsed(m, f)) continue;
+        c = n3i_mesh_cut_of(t, cut, f);
+        if (point || normal) n3i_make_spots(m, t, net, cut, f, &out);
+        if (triangle || corner || origin) n3i_make_facets(m, t, cut, f, &c, &out);
+        out.normals += n3i_cut_first(&c) + n3i_cut_inside(&c);
+    }
+    if (parent || uv) n3i_make_parents(m, t, net, cut, parent, uv);
     return N3_OK;
 }
 
@@ -2730,7 +4067,7 @@ NAGATA3_API void n3i_cut_row(const n3_real x[10], n3_real a[10], n3_real b[10])
 }
 
 /* Replaces the top of the stack, of which c is a copy, by the halves of c; rows of the net. */
-NAGATA3_API void n3i_cut(n3i_stack *stack, const n3i_cell *c, int rows)
+NAGATA3_API void n3i_cell_cut(n3i_stack *stack, const n3i_cell *c, int rows)
 {
     n3i_cell *a = &stack->cell[stack->count], *b = a + 1;
     int k;
@@ -2769,7 +4106,7 @@ NAGATA3_API n3_real n3i_ridge(const n3_real x[10], n3_real gap)
         n3_real high = n3i_highest(c.x[0], 0, 10);
         found = n3i_larger(found, n3i_highest(c.x[0], 0, 3));
         if (high > found + gap && c.cuts < N3I_CUTS && ++looked < N3I_CELLS) {
-            n3i_cut(&stack, &c, 1);
+            n3i_cell_cut(&stack, &c, 1);
             continue;
         }
         bound = n3i_larger(bound, high);
@@ -3375,10 +4712,10 @@ NAGATA3_API n3_foot n3_patch_nearest(const n3_patch *p, n3_vec q)
     best.d = 4;
     n3i_improve(&root, w, &best);
     stack.count = 0;
-    if (n3i_look2(&root, &best)) n3i_cut(&stack, &root, 3);
+    if (n3i_look2(&root, &best)) n3i_cell_cut(&stack, &root, 3);
     while (stack.count > 0 && looked++ < 4 * N3I_CELLS) {
         n3i_cell c = stack.cell[--stack.count];
-        if (n3i_look2(&c, &best)) n3i_cut(&stack, &c, 3);
+        if (n3i_look2(&c, &best)) n3i_cell_cut(&stack, &c, 3);
     }
     if (!(sum - sum <= 0)) best.w[0] = best.w[1] = best.w[2] = best.turn = sum - sum;
     n3i_settle(p, q, &root, &best);
@@ -3676,7 +5013,7 @@ NAGATA3_API int n3_patch_hits(const n3_patch *p, n3_vec from, n3_vec along, n3_r
         simple = n3i_is_simple(&c, 1 / size);
         if (winding == 0 && simple) continue;
         if (may_cut && !(simple && winding * winding == 1 && n3i_zero(&c, 1 / size, w))) {
-            n3i_cut(&stack, &c, 2);
+            n3i_cell_cut(&stack, &c, 2);
             continue;
         }
         if (!may_cut) n3i_zero(&c, 1 / size, w);
@@ -3721,7 +5058,7 @@ NAGATA3_API int n3_patch_folds(const n3_patch *p, n3_vec direction, int budget)
             for (j = 0; i + j < 5; j += 4)
                 if (back ? !(det[5 * i + j] < 0) : !(det[5 * i + j] > 0)) return N3_YES;
         if (c.cuts == N3I_CUTS || --budget <= 0) return N3_UNDECIDED;
-        n3i_cut(&stack, &c, 2);
+        n3i_cell_cut(&stack, &c, 2);
     }
     return N3_NO;
 }
@@ -3825,7 +5162,7 @@ NAGATA3_API n3i_sum n3i_area_to(n3i_stack *stack, n3_real tolerance)
         int k = stack->count;
         n3i_sum whole = sum[k], halves;
         n3_real off;
-        n3i_cut(stack, &c, 3);
+        n3i_cell_cut(stack, &c, 3);
         sum[k] = n3i_area_of(&stack->cell[k]);
         sum[k + 1] = n3i_area_of(&stack->cell[k + 1]);
         halves = n3i_sum_add(sum[k], sum[k + 1]);

@@ -4,6 +4,7 @@
 #include <limits.h>
 #include <stdlib.h>
 
+/* Behind blanks and empty lines. */
 static int begins(const char *data, size_t size, const char *word)
 {
     size_t n = strlen(word);
@@ -14,7 +15,8 @@ static int begins(const char *data, size_t size, const char *word)
 
 static int is_ply(const char *data, size_t size)
 {
-    return begins(data, size, "ply\n") || begins(data, size, "ply\r");
+    text t = text_open("", data, size);
+    return token_is(text_word(&t), "ply");
 }
 
 static int is_vtu(const char *data, size_t size) { return begins(data, size, "<"); }
@@ -30,13 +32,17 @@ typedef struct format {
     int volumes; /* there may be some */
 } format;
 
-/* By their first words; STL by its size as well; what is left is OBJ. */
+/* Binary STL by its size, whatever it begins with; others by their first words; what is left is
+   OBJ. */
 static const format *find_format(const char *data, size_t size)
 {
-    static const format formats[] = {
-        {"PLY", is_ply, mesh_read_ply, 0},      {"VTU", is_vtu, mesh_read_vtu, 1},
-        {"VTK", is_vtk, mesh_read_vtk, 1},      {"MSH", is_msh, mesh_read_msh, 1},
-        {"STL", mesh_is_stl, mesh_read_stl, 0}, {"OBJ", NULL, mesh_read_obj, 0}};
+    static const format formats[] = {{"STL", mesh_is_binary_stl, mesh_read_stl, 0},
+                                     {"PLY", is_ply, mesh_read_ply, 0},
+                                     {"VTU", is_vtu, mesh_read_vtu, 1},
+                                     {"VTK", is_vtk, mesh_read_vtk, 1},
+                                     {"MSH", is_msh, mesh_read_msh, 1},
+                                     {"STL", mesh_is_stl, mesh_read_stl, 0},
+                                     {"OBJ", NULL, mesh_read_obj, 0}};
     const format *f = formats;
     while (f->is && !f->is(data, size)) f++;
     return f;
@@ -120,7 +126,7 @@ field *field_add(field **list, int *fields, const char *name, size_t length, int
     f = &(*list)[(*fields)++];
     f->name = memcpy(allocate(length + 1, 1), name, length);
     f->components = components;
-    f->whole = 0;
+    f->kind = VALUES;
     f->value = value;
     return f;
 }

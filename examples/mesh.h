@@ -1,7 +1,6 @@
-/* mesh.h: a mesh of triangles in memory, and the files that it comes from and goes to.
+/* mesh.h: a mesh of triangles in memory, and the files that it comes from.
  *
- * What goes wrong ends the program: fail() prints "program: file:line: reason" and exits with 1.
- * An output file appears whole, under its name, or not at all. */
+ * What goes wrong ends the program: fail() prints "program: file:line: reason" and exits with 1. */
 #ifndef MESH_H
 #define MESH_H
 
@@ -9,12 +8,15 @@
 
 #include <stdio.h>
 
-/* Values of each point or of each cell, row by row. Whole ones are numbers of things, which have no
-   mean. NaN: the file has none there. */
+/* Values that can be anything between two of them; numbers of things, whole ones that have no mean;
+   bytes of colours, whose mean is rounded. */
+enum { VALUES, NUMBERS, COLOUR_BYTES };
+
+/* Values of each point or of each cell, row by row. NaN: the file has none there. */
 typedef struct field {
     char *name;
     int components;
-    int whole;
+    int kind;
     double *value;
 } field;
 
@@ -47,8 +49,12 @@ typedef struct mesh {
     int welded;      /* points that lie within the tolerance of another one */
     int collapsed;   /* triangles left out: two of their corners are one point */
     int unused;      /* points left out: in no triangle */
+    double highest;  /* number, in the field "id", of a point of the file */
     n3_real reach;   /* the tolerance, a length */
 } mesh;
+
+/* How numbers stand in a file: as text, or as bytes, the least or the greatest one first. */
+enum { AS_TEXT, LITTLE, BIG };
 
 /* Defined by each program: its name, which begins its messages. */
 extern const char program[];
@@ -63,10 +69,6 @@ void *room(void *array, int count, size_t size);
 
 /* A whole file with a zero byte behind it. */
 char *file_read(const char *path, size_t *size);
-
-/* A file under a temporary name in the same folder; closing gives it its name. */
-FILE *output_open(const char *path);
-void output_close(void);
 
 /* True if the name ends in the extension, such as ".obj", in any case. */
 int has_extension(const char *path, const char *extension);
@@ -86,6 +88,7 @@ void mesh_read_vtu(const char *path, const char *data, size_t size, mesh *m);
 void mesh_read_vtk(const char *path, const char *data, size_t size, mesh *m);
 void mesh_read_msh(const char *path, const char *data, size_t size, mesh *m);
 int mesh_is_stl(const char *data, size_t size);
+int mesh_is_binary_stl(const char *data, size_t size);
 void mesh_free(mesh *m);
 
 /* Adds a triangle, its corners without normals, in group 0, of the cell with the number m->cells:
@@ -96,7 +99,7 @@ void mesh_add_triangle(mesh *m, int a, int b, int c);
    corners, or NULL. A fan from the widest corner, the first of equal ones, splits it. */
 void mesh_add_polygon(mesh *m, int n, const int *point, const int *normal);
 
-/* Adds a field to the list. The name is copied up to length characters; the values, from
+/* Adds a field of VALUES to the list. The name is copied up to length characters; the values, from
    allocate(), become the field's. */
 field *field_add(field **list, int *fields, const char *name, size_t length, int components,
                  double *value);
@@ -114,12 +117,5 @@ int mesh_find_equal(const mesh *m, int *kept);
    the nearest point that is kept, in the order of the file. Then leaves out the triangles that
    have collapsed and the points in no triangle. */
 void mesh_join(mesh *m, n3_real relative);
-
-/* Numbers are written with as many digits as bring back the same bits. The mesh has a normal at
-   every corner. */
-void write_number(FILE *f, n3_real x);
-void write_vec(FILE *f, n3_vec a);
-void mesh_write_obj(FILE *f, const mesh *m);
-void mesh_write_stl(FILE *f, const mesh *m);
 
 #endif

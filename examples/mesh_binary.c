@@ -14,6 +14,14 @@ const number_type *type_find(const text *t, const number_type *list, token name)
     return NULL;
 }
 
+int type_is_byte(const number_type *type) { return type->kind == 'u' && type->bytes == 1; }
+
+int type_values(const number_type *type, int components)
+{
+    if (type->kind == 'f') return VALUES;
+    return type_is_byte(type) && (components == 3 || components == 4) ? COLOUR_BYTES : NUMBERS;
+}
+
 size_t text_left(const text *t) { return (size_t)(t->end - t->at); }
 
 void skip_bytes(text *t, size_t bytes)

@@ -4,9 +4,6 @@
 
 #include "mesh_text.h"
 
-/* text.order */
-enum { AS_TEXT, LITTLE, BIG };
-
 typedef struct number_type {
     const char *name; /* in lower case */
     char kind;        /* i: integer, u: without a sign, f: floating, b: a bit, x: not a number */
@@ -15,6 +12,12 @@ typedef struct number_type {
 
 /* The type of this name, in a list that ends with a name of NULL, or the end of the program. */
 const number_type *type_find(const text *t, const number_type *list, token name);
+
+/* True for whole numbers from 0 to 255. */
+int type_is_byte(const number_type *type);
+
+/* What values of the type are, in rows of so many: bytes by three or four are colours. */
+int type_values(const number_type *type, int components);
 
 /* The bytes from here to the end. */
 size_t text_left(const text *t);

@@ -148,7 +148,7 @@ static void drop_inexact(mesh *m, field *list, int *fields, int rows)
     int i;
     for (i = *fields - 1; i >= 0; i--) {
         size_t n = (size_t)rows * (size_t)list[i].components;
-        if (!list[i].whole || is_exact(list[i].value, n)) continue;
+        if (list[i].kind == VALUES || is_exact(list[i].value, n)) continue;
         field_drop(list, fields, i);
         m->lost_fields++;
     }

@@ -1,4 +1,4 @@
-/* Whole files in, whole files out. */
+/* Whole files in; memory; the end of the program. */
 #include "mesh.h"
 
 #include <ctype.h>
@@ -6,11 +6,6 @@
 #include <limits.h>
 #include <stdarg.h>
 #include <stdlib.h>
-
-enum { TRIES = 100 }; /* names for a temporary file */
-
-static FILE *output;
-static char *output_name, *output_part;
 
 void fail(const char *file, long line, const char *format, ...)
 {
@@ -64,44 +59,6 @@ char *file_read(const char *path, size_t *size)
     data[used] = 0;
     *size = used;
     return data;
-}
-
-static void output_abandon(void)
-{
-    if (!output) return;
-    fclose(output);
-    remove(output_part);
-    output = NULL;
-}
-
-FILE *output_open(const char *path)
-{
-    size_t size = strlen(path) + 8;
-    int i;
-    output_name = memcpy(allocate(size, 1), path, strlen(path));
-    output_part = allocate(size, 1);
-    atexit(output_abandon);
-    for (i = 0; i < TRIES && !output; i++) {
-        snprintf(output_part, size, "%s.part%d", path, i);
-        output = fopen(output_part, "wbx"); /* x: never a file that is there already */
-    }
-    if (!output) fail(path, 0, "%s", strerror(errno));
-    return output;
-}
-
-void output_close(void)
-{
-    int bad = fflush(output) || ferror(output), reason = errno;
-    if (!bad) {
-        bad = fclose(output);
-        output = NULL;
-        reason = errno;
-        if (!bad && rename(output_part, output_name)) bad = 1, reason = errno;
-        if (bad) remove(output_part);
-    }
-    if (bad) fail(output_name, 0, "%s", reason ? strerror(reason) : "cannot be written");
-    free(output_name);
-    free(output_part);
 }
 
 int has_extension(const char *path, const char *extension)

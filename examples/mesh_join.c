@@ -1,5 +1,5 @@
 /* Joining points that are one: a hash over the points themselves, then, for a tolerance, over the
- * cells of a grid as wide as it. */
+ * cells of a grid. */
 #include "mesh.h"
 
 #include <limits.h>
@@ -76,33 +76,44 @@ int mesh_find_equal(const mesh *m, int *kept)
     return equal;
 }
 
-/* The nearest point of the table to i within reach, -1 for none; it lies in the point's cell or one
-   of the 26 about it. */
-static int find_close(const table *t, const mesh *m, int i)
-{
-    n3_real best = 1;
-    int found = -1, c, j;
-    for (c = 0; c < 27; c++) {
-        n3_vec step = n3_v((n3_real)(c % 3 - 1), (n3_real)(c / 3 % 3 - 1), (n3_real)(c / 9 - 1));
-        n3_vec key = n3_add(t->key[i], step);
-        for (j = *slot(t, key); j >= 0; j = t->next[j]) {
-            n3_vec d = n3_sub(m->point[i], m->point[j]);
-            n3_real far_off;
-            if (!same(t->key[j], key)) continue;
-            far_off = n3_len(d) / m->reach;
-            if (far_off < best || (far_off <= best && found < 0)) best = far_off, found = j;
-        }
-    }
-    return found;
-}
-
 static n3_vec cell(n3_vec x, n3_vec lo, n3_real size)
 {
     return n3_v(floor((x.x - lo.x) / size), floor((x.y - lo.y) / size), floor((x.z - lo.z) / size));
 }
 
+/* The nearest point to i in one cell of the table, if it is nearer than the one found. */
+static void find_nearer(const table *t, const mesh *m, int i, n3_vec key, n3_real *best, int *found)
+{
+    int j;
+    for (j = *slot(t, key); j >= 0; j = t->next[j]) {
+        n3_real far_off;
+        if (!same(t->key[j], key)) continue;
+        far_off = n3_len(n3_sub(m->point[i], m->point[j])) / m->reach;
+        if (far_off < *best || (far_off <= *best && *found < 0)) *best = far_off, *found = j;
+    }
+}
+
+/* The nearest point of the table to i within reach, -1 for none. Cells are so wide that what is
+   within reach lies in two of them at most, along each axis. */
+static int find_close(const table *t, const mesh *m, int i, n3_vec lo, n3_real size)
+{
+    const n3_vec reach = n3_v(m->reach, m->reach, m->reach);
+    n3_vec from = cell(n3_sub(m->point[i], reach), lo, size);
+    n3_vec to = cell(n3_add(m->point[i], reach), lo, size);
+    n3_real best = 1;
+    int found = -1, c;
+    for (c = 0; c < 8; c++) {
+        n3_vec key = n3_v(c & 1 ? to.x : from.x, c & 2 ? to.y : from.y, c & 4 ? to.z : from.z);
+        if ((c & 1 && key.x <= from.x) || (c & 2 && key.y <= from.y) || (c & 4 && key.z <= from.z))
+            continue;
+        find_nearer(t, m, i, key, &best, &found);
+    }
+    return found;
+}
+
 static void join_close(mesh *m, int *kept, n3_vec lo)
 {
+    const n3_real size = 4 * m->reach;
     table t = table_make(m->points);
     int i, j;
     for (i = 0; i < m->points; i++) {
@@ -110,8 +121,8 @@ static void join_close(mesh *m, int *kept, n3_vec lo)
             kept[i] = kept[kept[i]];
             continue;
         }
-        t.key[i] = cell(m->point[i], lo, m->reach);
-        j = find_close(&t, m, i);
+        t.key[i] = cell(m->point[i], lo, size);
+        j = find_close(&t, m, i, lo, size);
         if (j < 0)
             table_add(&t, i);
         else

@@ -230,8 +230,8 @@ static int divide(uint64_t digits, int k, double *x)
     uint64_t m;
     wide want;
     int e, shift, tries;
-    if (!take_apart((double)digits / (double)five[k] / (double)((uint64_t)1 << k), &m, &e))
-        return 0;
+    double quotient = (double)digits / (double)five[k] / (double)((uint64_t)1 << k);
+    if (!take_apart(quotient, &m, &e)) return 0;
     shift = -e - k;
     if (shift < 1 || shift > 63) return 0;
     want.hi = digits >> (64 - shift);

@@ -1,8 +1,8 @@
 /* Gmsh's MSH, versions 2 and 4.1: sections of lines, whose numbers are text or bytes.
  *
  * Fields of the cells tell their groups, the numbers of their entities and their own, those of the
- * points their numbers: "gmsh:physical", "gmsh:geometrical", "id"; not where all are 0, or 1, 2, 3
- * and so on. Of several groups of an entity the first counts. Data of nodes and elements become
+ * points their numbers: "gmsh:physical", "gmsh:geometrical", "id"; not where all are 0, the number
+ * of the group or 1, or 1, 2, 3 and so on. Of several groups of an entity the first counts. Data of nodes and elements become
  * fields, NaN where there are none; but no field if they are of less than an eighth. */
 #include "mesh_binary.h"
 #include "mesh_cells.h"
@@ -206,7 +206,7 @@ static void add_node(reader *r, double number)
 {
     mesh *m = r->mesh;
     int i = r->node.count;
-    if (!m->point_fields) field_add(&m->point_field, &m->point_fields, "id", 2, 1, NULL)->whole = 1;
+    if (!m->point_fields) field_add(&m->point_field, &m->point_fields, "id", 2, 1, NULL)->kind = NUMBERS;
     append(&m->point_field[0], i, number);
     map_add(&r->node, number, i);
 }
@@ -287,7 +287,7 @@ static void add_element(reader *r, const element_type *e, double number, int phy
     mesh *m = r->mesh;
     int i;
     for (i = m->cell_fields; i < FIRST_FIELDS; i++)
-        field_add(&m->cell_field, &m->cell_fields, names[i], strlen(names[i]), 1, NULL)->whole = 1;
+        field_add(&m->cell_field, &m->cell_fields, names[i], strlen(names[i]), 1, NULL)->kind = NUMBERS;
     for (i = 0; i < e->nodes; i++) {
         double node = read_size(r);
         int point = map_find(&r->node, node);
@@ -463,13 +463,37 @@ static int add_data(const values *d, const double *id, int rows, field **list, i
     return 1;
 }
 
-/* True if the values are all 0 or, with step 1, 1, 2, 3 and so on. */
-static int is_plain(const double *value, int rows, int step)
+/* 1, 2, 3 and so on. */
+static int are_counted(const double *value, int rows)
 {
     int i;
-    for (i = 0; i < rows; i++)
-        if (value[i] < (i + 1.0) * step || value[i] > (i + 1.0) * step) return 0;
+    for (i = 0; i < rows && value[i] >= i + 1 && value[i] <= i + 1; i++) continue;
+    return i == rows;
+}
+
+/* 0; or, for entities that say nothing beyond their groups, the group's number and at least 1. */
+static int are_plain(const double *value, const double *group, int rows)
+{
+    int i;
+    for (i = 0; i < rows; i++) {
+        double want = !group ? 0 : group[i] > 1 ? group[i] : 1;
+        if (value[i] < want || value[i] > want) return 0;
+    }
     return 1;
+}
+
+static void drop_plain(mesh *m)
+{
+    const double *group;
+    if (m->points && are_counted(m->point_field[0].value, m->points))
+        field_drop(m->point_field, &m->point_fields, 0);
+    if (!m->cell_fields) return;
+    group = m->cell_field[PHYSICAL].value;
+    if (are_counted(m->cell_field[CELL_ID].value, m->cells))
+        field_drop(m->cell_field, &m->cell_fields, CELL_ID);
+    if (are_plain(m->cell_field[GEOMETRICAL].value, group, m->cells))
+        field_drop(m->cell_field, &m->cell_fields, GEOMETRICAL);
+    if (are_plain(group, NULL, m->cells)) field_drop(m->cell_field, &m->cell_fields, PHYSICAL);
 }
 
 static void finish(reader *r, mesh *m)
@@ -484,11 +508,7 @@ static void finish(reader *r, mesh *m)
             m->lost_fields +=
                 !add_data(d, m->point_field[0].value, m->points, &m->point_field, &m->point_fields);
     }
-    for (i = CELL_ID; m->cell_fields && i >= PHYSICAL; i--)
-        if (is_plain(m->cell_field[i].value, m->cells, i == CELL_ID))
-            field_drop(m->cell_field, &m->cell_fields, i);
-    if (m->points && is_plain(m->point_field[0].value, m->points, 1))
-        field_drop(m->point_field, &m->point_fields, 0);
+    drop_plain(m);
 }
 
 static void free_reader(reader *r)

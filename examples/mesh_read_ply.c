@@ -205,6 +205,15 @@ static n3_vec *take_vectors(const element *e, const char *x, const char *y, cons
     return a;
 }
 
+static int kind_of(const property *p)
+{
+    static const char *const colours[] = {"red", "green", "blue", "alpha"};
+    int i;
+    for (i = 0; i < 4; i++)
+        if (token_is(p->name, colours[i]) && type_is_byte(p->type)) return COLOUR_BYTES;
+    return p->type->kind == 'f' ? VALUES : NUMBERS;
+}
+
 /* The columns that are left become fields. */
 static void take_fields(const element *e, field **list, int *fields)
 {
@@ -212,8 +221,7 @@ static void take_fields(const element *e, field **list, int *fields)
     for (i = 0; e && i < e->properties; i++) {
         const property *p = &e->property[i];
         if (p->column)
-            field_add(list, fields, p->name.at, p->name.length, 1, p->column)->whole =
-                p->type->kind != 'f';
+            field_add(list, fields, p->name.at, p->name.length, 1, p->column)->kind = kind_of(p);
     }
 }
 

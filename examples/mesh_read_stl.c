@@ -72,7 +72,7 @@ static size_t get_count(text t)
 }
 
 /* Some binary files begin with "solid", as ASCII files do. */
-static int is_binary(const char *data, size_t size)
+int mesh_is_binary_stl(const char *data, size_t size)
 {
     return size >= HEADER && (size - HEADER) % FACET == 0 &&
            (size - HEADER) / FACET == get_count(text_open("", data, size));
@@ -82,13 +82,13 @@ static int is_binary(const char *data, size_t size)
 int mesh_is_stl(const char *data, size_t size)
 {
     text t = text_open("", data, size);
-    return is_binary(data, size) || memchr(data, 0, size) || token_is(text_word(&t), "solid");
+    return memchr(data, 0, size) || token_is(text_word(&t), "solid");
 }
 
 void mesh_read_stl(const char *path, const char *data, size_t size, mesh *m)
 {
     text t = text_open(path, data, size);
-    if (is_binary(data, size)) {
+    if (mesh_is_binary_stl(data, size)) {
         t.order = LITTLE;
         t.at = data + HEADER;
         read_binary(&t, m);

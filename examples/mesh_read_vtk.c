@@ -111,7 +111,7 @@ static void read_points(reader *r, int unused)
     }
 }
 
-/* A whole number up to most, from which on the numbers of points count. */
+/* A whole number from least to most. */
 static int read_from(reader *r, const number_type *type, int least, int most)
 {
     double x = read_number(&r->text, type);
@@ -261,7 +261,7 @@ static void take_normals(reader *r, double *x)
 }
 
 /* What becomes of an array, from allocate(). */
-static void take(reader *r, token name, int components, int is_whole, double *x)
+static void take(reader *r, token name, int components, int kind, double *x)
 {
     mesh *m = r->mesh;
     char *decoded = allocate(name.length + 1, 1);
@@ -270,11 +270,11 @@ static void take(reader *r, token name, int components, int is_whole, double *x)
         take_normals(r, x);
         free(x);
     } else if (r->of == OF_POINTS) {
-        field_add(&m->point_field, &m->point_fields, name.at, name.length, components, x)->whole =
-            is_whole;
+        field_add(&m->point_field, &m->point_fields, name.at, name.length, components, x)->kind =
+            kind;
     } else if (r->of == OF_CELLS) {
-        field_add(&m->cell_field, &m->cell_fields, name.at, name.length, components, x)->whole =
-            is_whole;
+        field_add(&m->cell_field, &m->cell_fields, name.at, name.length, components, x)->kind =
+            kind;
     } else {
         free(x);
     }
@@ -301,7 +301,8 @@ static void read_attribute(reader *r, int argument)
         text_token(t);
     }
     if (!components) text_fail(t, "data of no components");
-    take(r, name, components, type->kind != 'f', read_data(r, type, (double)r->rows * components));
+    take(r, name, components, type_values(type, components),
+         read_data(r, type, (double)r->rows * components));
 }
 
 /* Bytes; in a text these are numbers up to 1. */
@@ -316,7 +317,7 @@ static void read_colours(reader *r, int unused)
     if (r->of == WHOLE || !components) text_fail(&r->text, "colours of nothing");
     x = read_data(r, is_text ? &float_type : &byte_type, (double)r->rows * components);
     for (i = 0; is_text && i < n; i++) x[i] = floor(255 * x[i] + 0.5);
-    take(r, name, components, 1, x);
+    take(r, name, components, COLOUR_BYTES, x);
 }
 
 static void skip_table(reader *r, int unused)
@@ -370,7 +371,8 @@ static void read_array(reader *r)
         r->mesh->lost_fields += r->of != WHOLE;
         return;
     }
-    take(r, name, components, type->kind != 'f', read_data(r, type, (double)rows * components));
+    take(r, name, components, type_values(type, components),
+         read_data(r, type, (double)rows * components));
 }
 
 static void read_field(reader *r, int unused)

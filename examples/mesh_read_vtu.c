@@ -64,6 +64,7 @@ static void begin_file(reader *r, const tag *g)
 {
     token type = xml_attribute(g, "type"), header = xml_attribute(g, "header_type");
     token compressor = xml_attribute(g, "compressor");
+    if (!type.length) text_fail(&r->text, "the file tells no type");
     if (!token_is(type, "unstructuredgrid"))
         text_refuse(&r->text, type, "where the type UnstructuredGrid should be");
     if (compressor.length)
@@ -161,9 +162,11 @@ static double *read_encoded(const reader *r, const text *from, const number_type
 /* The values of an array: rows times its components. */
 static double *read_array(reader *r, const array *a, double rows)
 {
-    const number_type *type = type_find(&a->text, types, a->type);
+    const number_type *type;
     text t = a->text;
     double *x, offset;
+    if (!a->type.length || !a->format.length) text_fail(&t, "the array tells no type or no format");
+    type = type_find(&t, types, a->type);
     rows *= a->components;
     if (!(rows > 0)) return allocate(0, sizeof *x);
     if (rows > INT_MAX / 6) text_fail(&t, "%.0f numbers are too many", rows);
@@ -258,8 +261,8 @@ static void add_values(reader *r, const array *a, int i)
     double *x = read_array(r, a, rows);
     char *name = xml_decode(a->name);
     if (r->pieces == 0)
-        field_add(list, fields, name, strlen(name), a->components, NULL)->whole =
-            type_find(&a->text, types, a->type)->kind != 'f';
+        field_add(list, fields, name, strlen(name), a->components, NULL)->kind =
+            type_values(type_find(&a->text, types, a->type), a->components);
     f = i < *fields ? *list + i : NULL;
     if (!f || strcmp(f->name, name) != 0 || f->components != a->components)
         text_fail(&a->text, "the first piece has other arrays");

@@ -1,4 +1,5 @@
 #include "mesh_text.h"
+#include "mesh_number.h"
 
 #include <ctype.h>
 #include <limits.h>
@@ -160,10 +161,11 @@ static const char *number_end(const char *s)
 n3_real text_number(text *t)
 {
     token k = text_token(t);
+    const char *end;
     double x = 0;
     if (!k.length || number_end(k.at) != k.at + k.length)
         text_refuse(t, k, "is not a finite number");
-    x = strtod(k.at, NULL);
+    x = number_parse(k.at, &end);
     if (!(fabs(x) <= largest)) text_refuse(t, k, "is too large, beyond 1e150");
     return (n3_real)x;
 }
@@ -188,18 +190,20 @@ static int is_special(token k)
 double text_value(text *t)
 {
     token k = text_word(t);
-    if (!k.length || (number_end(k.at) != k.at + k.length && !is_special(k)))
-        text_refuse(t, k, "is not a number");
-    return strtod(k.at, NULL);
+    const char *end;
+    if (is_special(k)) return strtod(k.at, NULL);
+    if (!k.length || number_end(k.at) != k.at + k.length) text_refuse(t, k, "is not a number");
+    return number_parse(k.at, &end);
 }
 
 double text_whole(text *t)
 {
     token k = text_word(t);
     const char *digits = k.at + (k.length && (*k.at == '-' || *k.at == '+'));
+    const char *end;
     if (skip_digits(digits) != k.at + k.length || digits == k.at + k.length)
         text_refuse(t, k, "is not a whole number");
-    return strtod(k.at, NULL);
+    return number_parse(k.at, &end);
 }
 
 int text_count(text *t, int most)

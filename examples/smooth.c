@@ -1,85 +1,74 @@
 /* smooth: a triangle mesh into a smooth surface, or into a finer mesh on it. */
-#include "smooth.h"
+#include "smooth_command.h"
+#include "smooth_grid.h"
 
 #include <errno.h>
-#include <float.h>
-#include <stdarg.h>
 #include <stdlib.h>
 
 const char program[] = "smooth";
 
-static const char usage[] =
-    "usage: smooth IN -o OUT [-n LEVEL] [--rule paper|arc|fit|nagata|pn|flat]\n"
-    "              [--boundary] [--bezier] [--crease DEG] [--weld REL] [--report] [--json]\n"
-    "              [--quiet]\n";
+const char usage[] =
+    "usage: smooth IN -o OUT [-n LEVEL | --tol T[%] | --order 2|3 | --bezier] [--text | --binary]\n"
+    "              [--rule paper|arc|fit|nagata|pn|flat] [--quads brown] [--boundary]\n"
+    "              [--crease DEG] [--weld REL] [--view VIEW] [--size WxH] [--turn DEG]\n"
+    "              [--rise DEG] [--zoom Z] [--up x|y|z] [--report] [--json]\n"
+    "              [--times] [--quiet]\n";
 
 static const char help[] =
     "Lays a smooth surface through the points of a mesh of triangles, tangent to its normals.\n"
     "\n"
     "  IN             OBJ, STL, PLY, VTU, legacy VTK or Gmsh MSH, told by what is in it, not\n"
     "                 by its name. Without normals in it they are estimated.\n"
-    "  -o OUT         .obj or .stl: flat triangles again, finer; .vtu: the surface itself, in\n"
-    "                 cubic triangles. Not needed with --report.\n"
+    "  -o OUT         .obj .stl .ply: flat triangles again, finer; .vtu .vtk .msh: the same, or\n"
+    "                 elements with nodes on the surface; .step: the surface itself, solid where\n"
+    "                 it closes, in millimetres; .png: a picture. Not needed with --report.\n"
     "  --boundary     of a mesh of volumes: the faces that one volume cell has\n"
-    "  -n LEVEL       parts per edge in .obj and .stl, 1 to 1000 (4)\n"
+    "\n"
+    "  -n LEVEL       flat triangles, with so many parts per edge, 1 to 1000 (.obj .stl .ply: 4)\n"
+    "  --tol T        flat triangles, as few as keep the surface within this distance of them;\n"
+    "                 with a %, of the bounding box's diagonal\n"
+    "  --order 2|3    triangles of 6 or of 10 nodes (.vtu .vtk .msh: 3)\n"
+    "  --bezier       cubic triangles by their control points (.vtu .vtk; cell type 76, not 69)\n"
+    "  --text         numbers that people can read (.ply .vtu .vtk .msh: up to 10000 triangles)\n"
+    "  --binary       numbers as bytes (.stl, and the same beyond)\n"
+    "\n"
     "  --rule RULE    paper: cubic Nagata patches (this is the default)\n"
     "                 arc: the same with edges that are circular arcs where they can be\n"
     "                 fit: arc, and the bend across edges fitted to the triangles around\n"
     "                 nagata: quadratic Nagata patches; pn: PN triangles; flat: the facets\n"
-    "  --bezier       .vtu with control points (cell type 76), not nodes on the surface (69)\n"
+    "  --quads brown  over each quad one of Brown's squares, not two triangles: where quads meet,\n"
+    "                 their tangent planes agree all along\n"
     "  --crease DEG   an edge is sharp where its faces meet at more than this angle (50). Normals\n"
     "                 in the file overrule it, OBJ smoothing groups add to it.\n"
     "  --weld REL     join points closer than this part of the bounding box's diagonal. Equal\n"
     "                 points are always joined. (STL: 1e-6, others: 0)\n"
+    "  --view VIEW    of a picture: shaded (this is the default); zebra or isophote, stripes that\n"
+    "                 break where normals jump; mean or gauss, curvature; net, control points;\n"
+    "                 error, the distance from the triangles. By the patches' own normals.\n"
+    "  --size WxH     of a .png, in pixels (800x600)\n"
+    "  --turn DEG, --rise DEG\n"
+    "                 the camera: round the axis that is up and above the ground (30, 20)\n"
+    "  --zoom Z       larger than what fills the picture, or smaller (1)\n"
+    "  --up x|y|z     which axis is up (z)\n"
+    "\n"
     "  --report       say on stdout what was found and done; with --json, as JSON\n"
-    "  --quiet        no statistics on stderr\n"
+    "  --times        say on stderr how long each kind of work took\n"
+    "  --quiet        no statistics and no progress on stderr\n"
     "  -h, --help     this text\n"
     "  --version      the version\n"
     "\n"
-    "A polygon is split by a fan from its widest corner, the first of equal ones.\n"
+    "A polygon is split by a fan from its widest corner, the first of equal ones. Fields of\n"
+    "points are interpolated; those of cells, groups and numbers go to all parts of a cell.\n"
     "Exit status: 0, 1 for bad input or output, 2 for bad usage.\n";
 
 typedef struct options {
-    const char *in, *out;
+    const char *in;
+    request out; /* path NULL: none */
     const smooth_rule *rule;
-    int level, boundary, bezier, report, json, quiet;
+    int boundary, quads, report, json, quiet, times;
     n3_real crease; /* degrees */
     n3_real weld;   /* negative: by the format */
 } options;
-
-static void misuse(const char *format, ...)
-{
-    va_list arguments;
-    fprintf(stderr, "%s: ", program);
-    va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
-    va_end(arguments);
-    fprintf(stderr, "\n%s", usage);
-    exit(2);
-}
-
-/* The argument of an option as a number from lo to hi. */
-static n3_real number(const char *option, const char *value, double lo, double hi)
-{
-    char *end;
-    double x = strtod(value, &end);
-    if (end == value || *end || !(x >= lo && x <= hi))
-        misuse("%s takes a number from %g to %g, not '%s'", option, lo, hi, value);
-    return (n3_real)x;
-}
-
-static int whole_number(const char *option, const char *value, int lo, int hi)
-{
-    n3_real x = number(option, value, lo, hi);
-    if (x > floor(x)) misuse("%s takes a whole number, not '%s'", option, value);
-    return (int)x;
-}
-
-static void print_and_exit(const char *text)
-{
-    fputs(text, stdout);
-    exit(fflush(stdout) || ferror(stdout) ? EXIT_FAILURE : EXIT_SUCCESS);
-}
 
 /* Options without a value. False if it is none of them. */
 static int read_switch(options *o, const char *a)
@@ -87,36 +76,97 @@ static int read_switch(options *o, const char *a)
     if (!strcmp(a, "--boundary"))
         o->boundary = 1;
     else if (!strcmp(a, "--bezier"))
-        o->bezier = 1;
+        o->out.kind = BEZIER;
+    else if (!strcmp(a, "--text"))
+        o->out.text = 1;
+    else if (!strcmp(a, "--binary"))
+        o->out.text = 0;
     else if (!strcmp(a, "--report"))
         o->report = 1;
     else if (!strcmp(a, "--json"))
         o->report = o->json = 1;
     else if (!strcmp(a, "--quiet"))
         o->quiet = 1;
+    else if (!strcmp(a, "--times"))
+        o->times = 1;
     else
         return 0;
     return 1;
 }
 
-static int read_value(options *o, const char *a, const char *value)
+static void read_size(request *r, const char *option, const char *value)
 {
-    static const char *const known[] = {"-o", "-n", "--rule", "--crease", "--weld"};
+    const long most = 16384;
+    char *end;
+    long width = strtol(value, &end, 10), height = *end == 'x' ? strtol(end + 1, &end, 10) : 0;
+    if (*end || width < 16 || height < 16 || width > most || height > most)
+        misuse("%s takes WIDTHxHEIGHT, each from 16 to %ld, not '%s'", option, most, value);
+    r->width = (int)width;
+    r->height = (int)height;
+}
+
+/* What a picture shows, and from where. False if it is none of that. */
+static int read_look(request *r, const char *a, const char *value)
+{
+    static const char *const known[] = {"--view", "--size", "--turn", "--rise", "--zoom", "--up"};
     size_t i, n = sizeof known / sizeof *known;
     for (i = 0; i < n && strcmp(a, known[i]); i++) continue;
     if (i == n) return 0;
     if (!value) misuse("%s takes a value", a);
-    if (i == 0) o->out = value;
-    if (i == 1) o->level = whole_number(a, value, 1, 1000);
-    if (i == 2 && !(o->rule = smooth_rule_find(value))) misuse("there is no rule '%s'", value);
-    if (i == 3) o->crease = number(a, value, 0, 180);
-    if (i == 4) o->weld = number(a, value, 0, 1);
+    r->drawn = 1;
+    if (i == 0 && view_find(value) < 0) misuse("there is no view '%s'", value);
+    if (i == 0) r->view = (view)view_find(value);
+    if (i == 1) read_size(r, a, value);
+    if (i == 2) r->camera.turn = (double)option_number(a, value, -360, 360);
+    if (i == 3) r->camera.rise = (double)option_number(a, value, -90, 90);
+    if (i == 4) r->camera.zoom = (double)option_number(a, value, 0.01, 100);
+    if (i == 5 && (strlen(value) != 1 || !strchr("xyz", value[0])))
+        misuse("%s takes x, y or z, not '%s'", a, value);
+    if (i == 5) r->camera.up = value[0];
     return 1;
+}
+
+static int quads_number(const char *option, const char *value)
+{
+    if (strcmp(value, "brown") && strcmp(value, "split"))
+        misuse("%s takes brown or split, not '%s'", option, value);
+    return value[0] == 'b';
+}
+
+static int read_value(options *o, const char *a, const char *value)
+{
+    static const char *const known[] = {"-o",     "-n",    "--rule", "--crease",
+                                        "--weld", "--tol", "--order", "--quads"};
+    size_t i, n = sizeof known / sizeof *known;
+    for (i = 0; i < n && strcmp(a, known[i]); i++) continue;
+    if (i == n) return read_look(&o->out, a, value);
+    if (!value) misuse("%s takes a value", a);
+    if (i == 0) o->out.path = value;
+    if (i == 1) o->out.level = option_whole(a, value, 1, 1000);
+    if (i == 2 && !(o->rule = smooth_rule_find(value))) misuse("there is no rule '%s'", value);
+    if (i == 3) o->crease = option_number(a, value, 0, 180);
+    if (i == 4) o->weld = option_number(a, value, 0, 1);
+    if (i == 5) option_tolerance(&o->out, a, value);
+    if (i == 6) o->out.kind = option_whole(a, value, 2, 3) == 2 ? QUADRATIC : CUBIC;
+    if (i == 7) o->quads = quads_number(a, value);
+    return 1;
+}
+
+static void check_options(const options *o)
+{
+    const request *r = &o->out;
+    if (!o->in) misuse("no file to read");
+    if (!r->path && !o->report) misuse("no file to write; -o OUT names it");
+    if ((r->level > 0) + (r->tolerance > 0) + (r->kind != FACETS) > 1)
+        misuse("-n, --tol, --order and --bezier exclude each other");
+    if (r->path && product_refuse(r)) misuse("'%s' %s", r->path, product_refuse(r));
+    if (o->quads && (r->kind == BEZIER || (r->path && product_is_exact(r))))
+        misuse("--quads brown has no control points for --bezier and .step");
 }
 
 static options read_options(int argc, char **argv)
 {
-    options o = {NULL, NULL, NULL, 4, 0, 0, 0, 0, 0, 50, -1};
+    options o = {NULL, request_plain(), NULL, 0, 0, 0, 0, 0, 0, 50, -1};
     int i;
     o.rule = smooth_rule_find("paper");
     for (i = 1; i < argc; i++) {
@@ -136,85 +186,50 @@ static options read_options(int argc, char **argv)
         else
             o.in = a;
     }
-    if (!o.in) misuse("no file to read");
-    if (!o.out && !o.report) misuse("no file to write; -o OUT names it");
-    if (o.out && !has_extension(o.out, ".obj") && !has_extension(o.out, ".stl") &&
-        !has_extension(o.out, ".vtu"))
-        misuse("'%s' is neither .obj nor .stl nor .vtu", o.out);
-    if (o.bezier && !(o.out && has_extension(o.out, ".vtu"))) misuse("--bezier needs a .vtu");
+    check_options(&o);
     return o;
 }
 
-/* STL holds single precision. */
-static void check_range(const char *path, const mesh *m)
+/* Formats that number their points, from 0 or from 1. */
+static int numbers_points(const mesh *m)
 {
-    const n3_real most = (n3_real)FLT_MAX;
+    return strcmp(m->format, "OBJ") && strcmp(m->format, "STL") && strcmp(m->format, "PLY");
+}
+
+/* Numbers the points by a field "id", unless they have one. False if they have. */
+static int number_points(mesh *m, int first)
+{
+    double *value;
     int i;
-    for (i = 0; i < m->points; i++) {
-        n3_vec x = m->point[i];
-        if (fabs(x.x) > most || fabs(x.y) > most || fabs(x.z) > most)
-            fail(path, 0, "a coordinate is too large for STL, beyond %g", (double)most);
-    }
+    if (mesh_field_find(m->point_field, m->point_fields, "id")) return 0;
+    value = allocate((size_t)m->points, sizeof *value);
+    for (i = 0; i < m->points; i++) value[i] = i + first;
+    field_add(&m->point_field, &m->point_fields, "id", 2, 1, value)->kind = NUMBERS;
+    return 1;
 }
 
-static product write_flat(const options *o, const surface *s)
+/* The points keep their numbers, if others of the file's cells have been left out or move up. */
+static void join_points(mesh *m, n3_real weld)
 {
-    product out = {NULL, "flat", 0, 0};
-    mesh m;
-    surface_refine(o->in, s, o->level, &m);
-    out.triangles = m.triangles;
-    out.points = m.points;
-    if (has_extension(o->out, ".obj")) {
-        mesh_write_obj(output_open(o->out), &m);
-    } else {
-        check_range(o->out, &m);
-        mesh_write_stl(output_open(o->out), &m);
-    }
-    output_close();
-    mesh_free(&m);
-    return out;
-}
-
-static product write_output(const options *o, const surface *s)
-{
-    product out = {NULL, "cubic", 0, 0};
-    if (!o->out) return out;
-    if (has_extension(o->out, ".vtu")) {
-        surface_write_vtu(output_open(o->out), s, o->bezier);
-        output_close();
-        out.triangles = s->mesh.triangles;
-        out.points = s->nodes;
-    } else {
-        out = write_flat(o, s);
-    }
-    out.path = o->out;
-    return out;
-}
-
-/* What was done to the mesh before anything else; never in silence, unless asked. */
-static void report_reading(const char *path, const mesh *m)
-{
-    if (m->skipped)
-        fprintf(stderr, "%s: %s: left out %d cells that are no %s\n", program, path, m->skipped,
-                m->boundary ? "volumes" : "faces");
-    if (m->curved)
-        fprintf(stderr, "%s: %s: took the corners alone of %d curved cells\n", program, path,
-                m->curved);
-    if (m->lost_fields)
-        fprintf(stderr, "%s: %s: left out %d fields of no numbers, few or too large ones\n",
-                program, path, m->lost_fields);
-    if (!m->joined && !m->welded && !m->collapsed) return;
-    fprintf(stderr, "%s: %s: joined %d equal points", program, path, m->joined);
-    if (m->reach > 0) fprintf(stderr, " and %d within %.3g", m->welded, (double)m->reach);
-    fprintf(stderr, "; left out %d collapsed triangles\n", m->collapsed);
+    const int first = strcmp(m->format, "MSH") == 0, id = m->point_fields;
+    int i, added = numbers_points(m) && number_points(m, first);
+    const field *f = mesh_field_find(m->point_field, m->point_fields, "id");
+    for (i = 0; f && i < m->points; i++)
+        if (f->value[i] > m->highest) m->highest = f->value[i];
+    mesh_join(m, weld);
+    if (!added || m->skipped) return;
+    for (i = 0; i < m->points && f->value[i] <= i + first; i++) continue;
+    if (i == m->points) field_drop(m->point_field, &m->point_fields, id);
 }
 
 static void read_mesh(const options *o, mesh *m)
 {
     n3_real weld;
+    progress("reading", -1, 1);
     mesh_read(o->in, o->boundary, m);
     weld = strcmp(m->format, "STL") ? 0 : (n3_real)1e-6;
-    mesh_join(m, o->weld >= 0 ? o->weld : weld);
+    progress("joining points", -1, 1);
+    join_points(m, o->weld >= 0 ? o->weld : weld);
     if (!o->quiet) report_reading(o->in, m);
     if (!m->triangles) fail(o->in, 0, "all its triangles have collapsed");
 }
@@ -226,11 +241,17 @@ int main(int argc, char **argv)
     mesh m;
     surface s;
     n3_report r;
-    product out;
+    product out = {NULL, NULL, 0, 0, 0, 0};
+    output_catch_signals();
+    if (o.quiet) progress_hide();
     read_mesh(&o, &m);
     surface_make(o.in, &m, o.rule, cos(o.crease * degree), &s);
-    out = write_output(&o, &s);
-    r = n3_mesh_report(&s.mesh, &s.topology, s.net, s.flags);
+    if (o.quads) surface_find_quads(&m, &s);
+    if (o.out.path) out = product_write(&o.out, &m, &s);
+    progress("measuring", -1, 1);
+    r = surface_report(&s);
+    progress_hide();
+    if (o.times) progress_times(m.triangles);
     if (!o.quiet) report_line(o.in, &s, &r, &out);
     if (o.report) (o.json ? report_json : report_text)(o.in, &m, &s, &r, &out);
     surface_free(&s);

@@ -3,6 +3,9 @@
 #define SMOOTH_H
 
 #include "mesh.h"
+#include "picture_scene.h"
+
+#include "brown/brown.h"
 
 /* How the edges' curves are made. The rules of the header know creases; the three others take the
    paper's curve there, so that the faces stay joined. */
@@ -16,6 +19,7 @@ typedef struct smooth_rule {
 const smooth_rule *smooth_rule_find(const char *name);
 
 typedef struct surface {
+    const char *path; /* of the file that it comes from, for messages */
     const smooth_rule *rule;
     n3_mesh mesh; /* with the normals below */
     n3_topology topology;
@@ -26,12 +30,33 @@ typedef struct surface {
     n3_vec *net;     /* nodes control points, shared between patches */
     unsigned *flags; /* of each edge */
     int inferred;    /* corners whose normal is not from the file */
+    int squares;     /* Brown's, each over two triangles that follow one another: */
+    brown_square *square;
+    int *half; /* of each triangle, 2 * its square, whose corners 0 1 2 it has, or 2 * its square + 1
+                  for 0 2 3; negative: it is a patch. NULL: they all are */
 } surface;
+
+/* Facets, elements with nodes on the surface, or with control points. */
+enum { FACETS, QUADRATIC, CUBIC, BEZIER };
+
+/* What to write, and how; tolerance 0: level or kind, where they are not 0, instead. */
+typedef struct request {
+    const char *path;
+    int level, kind;   /* FACETS with level parts for each edge, or elements of another kind */
+    n3_real tolerance; /* facets within this distance; */
+    int relative;      /* of the bounding box's diagonal */
+    int text;          /* or bytes, where the format knows both; negative: by the size */
+    int width, height; /* of a picture */
+    view view;
+    camera camera;
+    int drawn; /* something of a picture was asked for */
+} request;
 
 /* What went into the file; path NULL: nothing did. */
 typedef struct product {
-    const char *path, *kind; /* of its triangles: flat or cubic */
+    const char *path, *kind; /* of its triangles: flat, quadratic or cubic */
     int triangles, points;
+    int solids, sheets; /* STEP */
 } product;
 
 /* The mesh m must outlive the surface. cos_crease: of the angle between faces from which on an
@@ -40,15 +65,38 @@ void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_r
                   surface *s);
 void surface_free(surface *s);
 
+/* Squares over the quads that the mesh had in the file, in place of patches. */
+void surface_find_quads(const mesh *m, surface *s);
+
+/* The same for squares that are known already: half and their number are set, and then, once this
+   has made room, square and the control points of their sides in the net. */
+void surface_take_squares(surface *s);
+
+/* The unit normal at the parameters of a triangle. */
+n3_vec surface_normal(const surface *s, int triangle, n3_real u, n3_real v);
+
+/* The fewest parts for each edge with which facets are within the distance, as found in the middle
+   of each and of its sides. */
+int surface_level(const surface *s, n3_real distance);
+
+/* What the header says of the mesh, with distances and jumps of the squares. */
+n3_report surface_report(const surface *s);
+
 /* The curve of an edge from its lower to its higher point. */
 n3_edge surface_edge(const surface *s, int edge);
 int surface_edges_with(const surface *s, unsigned flags);
 
-/* The surface as flat triangles, level^2 for each, with the patches' own normals. */
-void surface_refine(const char *path, const surface *s, int level, mesh *out);
+/* The diagonal of the bounding box of its points. */
+n3_real surface_size(const surface *s);
 
-/* VTU: cubic triangles, Lagrange or Bezier, on shared nodes. */
-void surface_write_vtu(FILE *f, const surface *s, int bezier);
+/* NULL, or why such a file cannot be: for people, to go behind its name. */
+const char *product_refuse(const request *r);
+/* True of formats that hold the surface itself. */
+int product_is_exact(const request *r);
+product product_write(const request *r, const mesh *m, const surface *s);
+
+/* What reading has made of the file, never in silence: for stderr, a line for each. */
+void report_reading(const char *in, const mesh *m);
 
 /* One line for stderr; the whole story for stdout, as text or as JSON. */
 void report_line(const char *in, const surface *s, const n3_report *r, const product *out);

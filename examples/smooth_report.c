@@ -1,10 +1,13 @@
 /* What was found in the mesh and what was done with it, for people and for programs. */
 #include "smooth.h"
 
+#include "mesh_number.h"
+
 #include <math.h>
 #include <string.h>
 
-/* A row of the report: a name for programs, words for people, where a 0 is not worth a line. */
+/* A row of the report: a name for programs, words for people, where a 0 is not worth a line; a * is
+   the plural's s. */
 typedef struct row {
     const char *name;
     int value;
@@ -20,53 +23,99 @@ static int is_closed(const n3_report *r)
     return !r->border_edges && !r->non_manifold_edges && !r->flipped_edges;
 }
 
+/* What reading has made of the file. */
+static int changed(const mesh *m, row *rows)
+{
+    const row all[] = {
+        {"skipped_cells", m->skipped,
+         m->boundary ? "cell* other than volumes left out" : "cell* other than faces left out"},
+        {"curved_cells", m->curved, "curved cell*, of which the corners alone count"},
+        {"lost_fields", m->lost_fields, "field* left out, of no numbers, few or too large ones"},
+        {"joined_points", m->joined, "point* equal to another one, and joined to it"},
+        {"welded_points", m->welded, "point* within the tolerance of another, and joined to it"},
+        {"collapsed_triangles", m->collapsed, "collapsed triangle* left out"}};
+    memcpy(rows, all, sizeof all);
+    return (int)(sizeof all / sizeof *all);
+}
+
 static int found(const mesh *m, const surface *s, const n3_report *r, row *rows)
 {
     const row all[] = {
-        {"skipped_cells", m->skipped, "cells of other kinds were left out"},
-        {"curved_cells", m->curved, "cells have nodes besides their corners, which alone count"},
-        {"lost_fields", m->lost_fields,
-         "fields of no numbers, few or too large ones were left out"},
-        {"polygons", m->polygons, "polygons were split into triangles"},
-        {"joined_points", m->joined, "points equal another one and were joined to it"},
-        {"welded_points", m->welded, "points lie within the tolerance of another and were joined"},
-        {"collapsed_triangles", m->collapsed, "triangles collapsed and were left out"},
-        {"unused_points", m->unused, "points are in no triangle and were left out"},
-        {"flat_triangles", r->flat_triangles, "triangles have no area"},
-        {"duplicate_triangles", r->duplicate_triangles, "triangles are there already"},
-        {"border_edges", r->border_edges, "edges have one triangle: the surface ends there"},
-        {"non_manifold_edges", r->non_manifold_edges, "edges have three triangles or more"},
-        {"flipped_edges", r->flipped_edges, "edges have triangles that disagree about the outside"},
-        {"degenerate_edges", r->degenerate_edges, "edges have no length"},
-        {"inferred_normals", s->inferred, "corners had no normal; it was inferred"},
-        {"zero_normals", r->zero_normals, "corners have no normal for all that"},
-        {"flipped_normals", r->flipped_normals, "corners' normals look to the inside"}};
-    memcpy(rows, all, sizeof all);
-    return (int)(sizeof all / sizeof *all);
+        {"polygons", m->polygons, "polygon* split into triangles"},
+        {"unused_points", m->unused, "point* in no triangle left out"},
+        {"flat_triangles", r->flat_triangles, "triangle* without area"},
+        {"duplicate_triangles", r->duplicate_triangles, "triangle* that another one is, too"},
+        {"border_edges", r->border_edges, "edge* with one triangle: the surface ends there"},
+        {"non_manifold_edges", r->non_manifold_edges, "edge* with three triangles or more"},
+        {"flipped_edges", r->flipped_edges, "edge* with triangles that disagree about the outside"},
+        {"degenerate_edges", r->degenerate_edges, "edge* without length"},
+        {"inferred_normals", s->inferred, "corner* without normal: it was inferred"},
+        {"zero_normals", r->zero_normals, "corner* without normal for all that"},
+        {"flipped_normals", r->flipped_normals, "corner* whose normal looks to the inside"}};
+    const int n = changed(m, rows);
+    memcpy(rows + n, all, sizeof all);
+    return n + (int)(sizeof all / sizeof *all);
 }
 
 /* The flags tell the header's own curves: not those of the rules for comparison. */
 static int done(const surface *s, const n3_report *r, row *rows)
 {
     const row all[] = {
-        {"crease_edges", r->crease_edges, "edges are sharp"},
-        {"half_crease_edges", r->half_crease_edges, "edges are sharp at one end"},
-        {"folding_patches", r->folding_patches, "patches may fold"},
-        {"straight_edges", r->straight_edges, "edges stayed straight"},
-        {"s_shaped_edges", r->s_shaped_edges, "edges became S-shaped"},
+        {"crease_edges", r->crease_edges, "sharp edge*"},
+        {"half_crease_edges", r->half_crease_edges, "edge* sharp at one end"},
+        {"folding_patches", r->folding_patches, "triangle* whose patch may fold"},
+        {"straight_edges", r->straight_edges, "straight edge*"},
+        {"s_shaped_edges", r->s_shaped_edges, "S-shaped edge*"},
         {"clamped_edges", r->clamped_edges,
-         "edges have an end nearer than 5.7 degrees to flat or upright"},
-        {"branch_60_edges", r->branch_60_edges, "edges have an end steeper than 60 degrees"},
-        {"turned_edges", r->turned_edges, "edges had a tangent turned round, to run forwards"}};
+         "edge* with an end nearer than 5.7 degrees to flat or upright"},
+        {"branch_60_edges", r->branch_60_edges, "edge* with an end steeper than 60 degrees"},
+        {"turned_edges", r->turned_edges, "edge* with a tangent turned round, to run forwards"}};
     memcpy(rows, all, sizeof all);
     return s->rule->edge ? 3 : (int)(sizeof all / sizeof *all);
+}
+
+static void put_words(FILE *f, int n, const char *words)
+{
+    for (; *words; words++)
+        if (*words != '*' || n != 1) putc(*words == '*' ? 's' : *words, f);
+}
+
+static void put_count(FILE *f, const char *before, int n, const char *words)
+{
+    fprintf(f, "%s%d ", before, n);
+    put_words(f, n, words);
+}
+
+static void put_product(FILE *f, const product *out)
+{
+    fprintf(f, "%s: %d %s ", out->path, out->triangles, out->kind);
+    put_words(f, out->triangles, "triangle*");
+    put_count(f, ", ", out->points, "point*");
+    if (out->solids) put_count(f, ", ", out->solids, "solid*");
+    if (out->sheets) put_count(f, ", ", out->sheets, "sheet*");
+}
+
+void report_reading(const char *in, const mesh *m)
+{
+    row rows[ROWS];
+    int i, n = changed(m, rows);
+    for (i = 0; i < n; i++) {
+        if (!rows[i].value) continue;
+        fprintf(stderr, "%s: %s: ", program, in);
+        put_count(stderr, "", rows[i].value, rows[i].words);
+        putc('\n', stderr);
+    }
 }
 
 static void print_rows(const row *rows, int n)
 {
     int i;
-    for (i = 0; i < n; i++)
-        if (rows[i].value) printf("%10d  %s\n", rows[i].value, rows[i].words);
+    for (i = 0; i < n; i++) {
+        if (!rows[i].value) continue;
+        printf("%10d  ", rows[i].value);
+        put_words(stdout, rows[i].value, rows[i].words);
+        putchar('\n');
+    }
 }
 
 static n3_real jump_degrees(const n3_report *r)
@@ -94,19 +143,23 @@ static void print_place(n3_vec x)
 
 void report_line(const char *in, const surface *s, const n3_report *r, const product *out)
 {
-    fprintf(stderr, "%s: %s: %d triangles, %d edges (%d border, %d sharp)", program, in,
-            s->mesh.triangles, r->edges, r->border_edges, sharp_edges(r));
-    if (out->path)
-        fprintf(stderr, "; %s: %d %s triangles, %d points", out->path, out->triangles, out->kind,
-                out->points);
-    fprintf(stderr, "; at most %.4g off the facets\n", (double)r->distance);
+    fprintf(stderr, "%s: %s: ", program, in);
+    put_count(stderr, "", s->mesh.triangles, "triangle*");
+    put_count(stderr, ", ", r->edges, "edge*");
+    fprintf(stderr, " (%d border, %d sharp); ", r->border_edges, sharp_edges(r));
+    if (out->path) put_product(stderr, out);
+    if (out->path) fputs("; ", stderr);
+    fprintf(stderr, "at most %.4g off the facets\n", (double)r->distance);
 }
 
 void report_text(const char *in, const mesh *m, const surface *s, const n3_report *r,
                  const product *out)
 {
     row rows[ROWS];
-    printf("%s: %d triangles, %d points, %d edges\n", in, r->triangles, r->points, r->edges);
+    printf("%s: ", in);
+    put_count(stdout, "", r->triangles, "triangle*");
+    put_count(stdout, ", ", r->points, "point*");
+    put_count(stdout, ", ", r->edges, "edge*\n");
     printf("\nFound:\n");
     if (is_closed(r)) printf("  The mesh is closed: every edge joins two triangles.\n");
     print_rows(rows, found(m, s, r, rows));
@@ -121,9 +174,10 @@ void report_text(const char *in, const mesh *m, const surface *s, const n3_repor
                (double)jump_degrees(r));
         print_place(edge_middle(s, r->jump_edge));
     }
-    if (out->path)
-        printf("\nWritten: %s, %d %s triangles on %d points\n", out->path, out->triangles,
-               out->kind, out->points);
+    if (!out->path) return;
+    printf("\nWritten: ");
+    put_product(stdout, out);
+    printf("\n");
 }
 
 static void json_string(const char *name, const char *s)
@@ -140,6 +194,13 @@ static void json_string(const char *name, const char *s)
     printf("\",\n");
 }
 
+static void json_number(n3_real x)
+{
+    char s[NUMBER_SIZE];
+    number_format(s, (double)x);
+    fputs(s, stdout);
+}
+
 static void json_rows(const row *rows, int n)
 {
     int i;
@@ -152,7 +213,9 @@ void report_json(const char *in, const mesh *m, const surface *s, const n3_repor
     const row counts[] = {
         {"triangles", r->triangles, ""}, {"points", r->points, ""}, {"edges", r->edges, ""}};
     const row written[] = {{"output_triangles", out->triangles, ""},
-                           {"output_points", out->points, ""}};
+                           {"output_points", out->points, ""},
+                           {"output_solids", out->solids, ""},
+                           {"output_sheets", out->sheets, ""}};
     row rows[ROWS];
     printf("{\n");
     json_string("input", in);
@@ -162,12 +225,12 @@ void report_json(const char *in, const mesh *m, const surface *s, const n3_repor
     json_rows(rows, done(s, r, rows));
     if (out->path) {
         json_string("output", out->path);
-        json_rows(written, 2);
+        json_rows(written, 4);
     }
     printf("  \"closed\": %s,\n", is_closed(r) ? "true" : "false");
     printf("  \"distance\": ");
-    write_number(stdout, r->distance);
+    json_number(r->distance);
     printf(",\n  \"jump_degrees\": ");
-    write_number(stdout, jump_degrees(r));
+    json_number(jump_degrees(r));
     printf("\n}\n");
 }

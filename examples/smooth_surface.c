@@ -1,6 +1,8 @@
 /* From a mesh to its surface: neighbours, creases, normals, the net of control points. */
 #include "smooth.h"
 
+#include "mesh_output.h"
+
 #include <stdlib.h>
 
 static n3_edge nagata_edge(n3_vertex a, n3_vertex b)
@@ -79,6 +81,7 @@ static void make_normals(const char *path, const mesh *m, n3_real cos_crease, su
     n3_status status;
     s->normal = allocate((size_t)m->normals + 3 * (size_t)m->triangles, sizeof *s->normal);
     s->corner = allocate((size_t)m->triangles, 3 * sizeof *s->corner);
+    progress("estimating normals", -1, 1);
     status = n3_mesh_normals(&s->mesh, &s->topology, cos_crease, mark, s->normal, s->corner,
                              &normals, &item);
     check(path, status, item);
@@ -175,6 +178,7 @@ static void make_topology(const char *path, const mesh *m, surface *s)
     }
     size = n3_mesh_workspace(&s->mesh);
     s->work = allocate(size, 1);
+    progress("finding neighbours", -1, 1);
     status = n3_mesh_topology(&s->mesh, s->work, size, &s->topology, &item);
     check(path, status, item);
 }
@@ -187,12 +191,14 @@ void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_r
     int item = -1;
     make_topology(path, m, s);
     make_normals(path, m, cos_crease, s);
+    s->path = path;
     s->rule = rule;
     s->inferred = count_inferred(m);
     s->nodes = n3_mesh_nodes(&s->mesh, &s->topology);
     s->net = allocate((size_t)s->nodes, sizeof *s->net);
     s->flags = allocate((size_t)s->topology.edges, sizeof *s->flags);
     options.rule = rule->rule;
+    progress("bending edges", -1, 1);
     status = n3_mesh_net(&s->mesh, &s->topology, &options, s->net, s->flags, &item);
     check(path, status, item);
     if (rule->edge) replace_net(s);
@@ -205,18 +211,18 @@ void surface_free(surface *s)
     free(s->corner);
     free(s->net);
     free(s->flags);
+    free(s->square);
+    free(s->half);
 }
 
-void surface_refine(const char *path, const surface *s, int level, mesh *out)
+n3_real surface_size(const surface *s)
 {
-    memset(out, 0, sizeof *out);
-    if (n3_mesh_refine_counts(&s->mesh, &s->topology, level, &out->points, &out->triangles,
-                              &out->normals) != N3_OK)
-        fail(path, 0, "%d triangles with %d parts per edge are too many", s->mesh.triangles, level);
-    out->point = allocate((size_t)out->points, sizeof *out->point);
-    out->triangle = allocate((size_t)out->triangles, 3 * sizeof *out->triangle);
-    out->normal = allocate((size_t)out->normals, sizeof *out->normal);
-    out->corner = allocate((size_t)out->triangles, 3 * sizeof *out->corner);
-    n3_mesh_refine(&s->mesh, &s->topology, s->net, level, out->point, out->triangle, out->normal,
-                   out->corner, NULL, NULL);
+    n3_vec lo = s->net[0], hi = lo;
+    int i;
+    for (i = 1; i < s->mesh.points; i++) {
+        n3_vec x = s->net[i];
+        lo = n3_v(x.x < lo.x ? x.x : lo.x, x.y < lo.y ? x.y : lo.y, x.z < lo.z ? x.z : lo.z);
+        hi = n3_v(x.x > hi.x ? x.x : hi.x, x.y > hi.y ? x.y : hi.y, x.z > hi.z ? x.z : hi.z);
+    }
+    return n3_len(n3_sub(hi, lo));
 }

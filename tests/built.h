@@ -5,6 +5,7 @@
 
 #include "shapes.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -78,6 +79,19 @@ static inline n3_patch built_patch(const built *b, int triangle)
     n3_patch p;
     n3_mesh_patches(&b->m, &b->t, b->net, triangle, triangle + 1, &p);
     return p;
+}
+
+/* How far a normal of a lattice may be from n3_patch_normal: 6 N3_NOISE (|du| + |dv|) / |du x dv| in
+   a patch of size 1, and 4 eps for making it unit. */
+static inline double normal_bound(const n3_patch *p, n3_real u, n3_real v)
+{
+    n3_jet j = n3_patch_jet(p, u, v);
+    double size = 0, du = (double)n3_len(j.du), dv = (double)n3_len(j.dv), area;
+    int i;
+    for (i = 1; i < 10; i++) size = fmax(size, (double)n3_len(n3_sub(p->p[i], p->p[0])));
+    if (!(du > 0 && dv > 0)) return 2;
+    area = (double)n3_len(n3_cross(n3_mul(1 / n3_len(j.du), j.du), n3_mul(1 / n3_len(j.dv), j.dv)));
+    return area > 0 ? 4 * EPS + 6 * (double)N3_NOISE * size * (1 / du + 1 / dv) / area : 2;
 }
 
 static inline void built_free(built *b)

@@ -108,15 +108,10 @@ n3_vec rng_unit(rng *r)
 /* Runs every table, or only the tests whose name contains the first argument. */
 int main(int argc, char **argv)
 {
-    static const test_case *const tables[] = {tests_equations, tests_closed_forms, tests_golden,
-                                              tests_degenerate, tests_properties,
-                                              tests_mesh, tests_net, tests_accuracy,
-                                              tests_query, tests_query_hit};
+    const test_case *const *table, *t;
     long passed = 0, failed = 0;
-    size_t i;
-    for (i = 0; i < sizeof tables / sizeof *tables; i++) {
-        const test_case *t;
-        for (t = tables[i]; t->name; t++) {
+    for (table = test_tables; *table; table++) {
+        for (t = *table; t->name; t++) {
             if (argc > 1 && !strstr(t->name, argv[1])) continue;
             test_name = t->name;
             failures = 0;

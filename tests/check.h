@@ -1,8 +1,9 @@
 /* check.h: a small test harness. A test is a function; it passes when none of its checks failed.
  *
- * Each file of tests exports one table, closed by a NULL name; main.c runs the tables. Every check
- * takes the row of the table or the number of the sample that it belongs to, and prints both
- * numbers, the tolerance and the row when it fails. */
+ * Each file of tests exports one table, closed by a NULL name; each program of tests has one file
+ * that lists its tables, and check.c runs them. Every check takes the row of the table or the
+ * number of the sample that it belongs to, and prints both numbers, the tolerance and the row when
+ * it fails. */
 #ifndef CHECK_H
 #define CHECK_H
 
@@ -12,8 +13,8 @@
 
 typedef struct test_case { const char *name; void (*run)(void); } test_case;
 
-extern const test_case tests_equations[], tests_closed_forms[], tests_golden[], tests_degenerate[],
-    tests_properties[], tests_mesh[], tests_net[], tests_accuracy[], tests_query[], tests_query_hit[];
+/* What check.c runs, closed by NULL. */
+extern const test_case *const test_tables[];
 
 /* The relative spacing of n3_real at 1: 2^-52 or 2^-23. */
 #define EPS ((double)N3_EPS)

@@ -4,7 +4,7 @@
 smooth=$1 write_seeds=$2 dump=$3 passed=0 failed=0
 dir=$(dirname "$smooth")/files_test
 rm -rf "$dir"
-mkdir -p "$dir/seeds"
+mkdir -p "$dir/seeds" "$dir/out"
 "$write_seeds" "$dir/seeds" || exit 1
 
 # check NAME COMMAND...: the command succeeds.
@@ -193,7 +193,7 @@ holds 'VTK with CR LF' "$(printf %s "$vtk$vtk_face" | sed 's/\\n/\\r\\n/g')" '0 
 holds 'VTK with data of all kinds' "$vtk${vtk_face}POINT_DATA 3\nCOLOR_SCALARS c 2\n0 1 .2 .4 .6 .8
 TEXTURE_COORDINATES t 2 float\n1 2 3 4 5 6\nEDGE_FLAGS e bit\n1 0 1\nFIELD f 1\nNormals 3 3 float
 0 0 1 0 0 1 0 0 1\nCELL_DATA 1\nTENSORS m float\n1 2 3\n4 5 6\n7 8 9\nNORMALS n char\n0 0 1\n" \
-    "point field 'c' 2 whole: 0 255 51 102 153 204" "point field 't' 2 real: 1 2 3 4 5 6" \
+    "point field 'c' 2 colours: 0 255 51 102 153 204" "point field 't' 2 real: 1 2 3 4 5 6" \
     "point field 'e' 1 whole: 1 0 1" "cell field 'm' 9 real: 1 2 3 4 5 6 7 8 9" \
     "cell field 'n' 3 whole: 0 0 1" '0 1 2 of 0 (0 0 1) (0 0 1) (0 0 1)'
 holds 'VTK with bits' '# vtk DataFile Version 3.0\n\nBINARY\nDATASET POLYDATA\nPOINTS 3 char
@@ -206,7 +206,9 @@ msh='$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n6\n1 0 0 0\n2 1 0 0\n3 0 1 0\
 holds 'MSH of order 2 and 3' "$msh\$Elements\n3\n1 9 2 0 1 1 2 3 4 5 6\n2 15 0 1
 3 21 2 0 1 3 2 1 1 1 1 1 1 1 1\n\$EndElements\n" \
     '2 cells, 0 polygons, 1 skipped, 2 curved, 0 lost' '0 1 2 of 0' '2 1 0 of 1' \
-    "cell field 'gmsh:geometrical' 1 whole: 1 1" "cell field 'id' 1 whole: 1 3"
+    "cell field 'id' 1 whole: 1 3"
+holds 'MSH with entities of their own' "$msh\$Elements\n2\n1 2 2 7 7 1 2 3\n2 2 2 7 8 1 3 2
+\$EndElements\n" "cell field 'gmsh:geometrical' 1 whole: 7 8"
 holds 'MSH with data of some elements' "$msh\$Elements\n2\n1 2 2 7 0 1 2 3\n2 2 2 8 0 3 2 1
 \$EndElements\n\$ElementData\n1\n\"a \$b\"\n1\n0\n3\n2\n1\n1\n2 5\n\$EndElementData
 \$NodeData\n0\n0\n3\n0\n1\n0\n\$EndNodeData\n\$ElementNodeData\n1 2 3\n\$EndElementNodeData\n" \
@@ -363,6 +365,246 @@ change 'MSH with wild data' $text '/NodeData$/,/EndNodeData/s/^4$/2/' \
 head -c 500 "$dir/seeds/faces1_4_big.msh" > "$dir/cut"
 change 'MSH cut short' ../cut '' ': byte 499: 8 bytes should follow, 1 are left'
 change 'MSH with another 1' faces1_2_little.msh '3s/^./7/' ': byte 20: the number 1 should be here'
+
+# ---- What is written: fields between points and of children, groups, numbers. ----
+# The points are numbered from 0; the first and the cell of one point are left out.
+cat > "$dir/one.vtk" << 'END'
+# vtk DataFile Version 3.0
+
+ASCII
+DATASET UNSTRUCTURED_GRID
+POINTS 4 double
+9 9 9 0 0 0 4 0 0 0 4 0
+CELLS 2 6
+3 1 2 3 1 0
+CELL_TYPES 2
+5 1
+POINT_DATA 4
+FIELD point 4
+height 1 4 double
+9 0 0.25 2
+flow%20rate 3 4 float
+0 0 0 0 0 1 0 2 0 4 0 0
+label 1 4 int
+9 10 20 30
+colour 3 4 unsigned_char
+9 9 9 255 0 0 0 255 0 0 0 255
+CELL_DATA 2
+FIELD cell 2
+gmsh:physical 1 2 int
+7 8
+a<b&c 1 2 double
+0.5 1
+END
+quiet() { "$smooth" --quiet "$@"; }
+head='cells, 0 polygons, 0 skipped, 0 curved, 0 lost'
+points='points (0 0 0) (4 0 0) (0 4 0) (2 0 0) (2 2 0) (0 2 0)'
+halves="point field 'height' 1 real: 0 0.25 2 0.125 1.125 1
+point field 'flow rate' 3 real: 0 0 1 0 2 0 4 0 0 0 1 0.5 2 1 0 2 0 0.5
+point field 'label' 1 whole: 10 20 30 10 20 10
+point field 'colour' 3 colours: 255 0 0 0 255 0 0 0 255 128 128 0 0 128 128 128 0 128
+point field 'id' 1 whole: 1 2 3 4 5 6
+cell field 'gmsh:physical' 1 whole: 7 7 7 7
+cell field 'a<b&c' 1 real: 0.5 0.5 0.5 0.5"
+# wrote FILE: what is read of it, without normals.
+wrote() { "$dump" "$1" | sed '/ of /s/ (.*//'; }
+for coding in --text --binary; do
+    for file in one.vtu one.vtk one.ply one.msh; do
+        quiet "$dir/one.vtk" -n 2 -o "$dir/out/$file" $coding
+    done
+    for file in one.vtu one.vtk; do
+        same "$file $coding" "$(wrote "$dir/out/$file")" "4 $head
+$points
+0 3 5 of 0
+4 5 3 of 1
+3 1 4 of 2
+5 4 2 of 3
+$halves"
+    done
+    same "fields in PLY $coding" "$(wrote "$dir/out/one.ply" | grep field)" \
+        "$(echo "$halves" | sed "/flow/c\\
+point field 'flow_rate_0' 1 real: 0 0 4 0 2 2\\
+point field 'flow_rate_1' 1 real: 0 2 0 1 1 0\\
+point field 'flow_rate_2' 1 real: 1 0 0 0.5 0 0.5
+s/a<b/a<b/
+/colour/c\\
+point field 'colour_0' 1 whole: 255 0 0 128 0 128\\
+point field 'colour_1' 1 whole: 0 255 0 128 128 0\\
+point field 'colour_2' 1 whole: 0 0 255 0 128 128")"
+    same "fields in MSH $coding" "$(wrote "$dir/out/one.msh" | grep field)" \
+        "$(echo "$halves" | sed "s/ whole: 10/ real: 10/;s/colours:/real:/;/'id'/d")"
+done
+
+# Numbers of nodes go on from the highest in the file; those of elements stay while each has one
+# triangle; the groups of volumes go to their boundary.
+msh_file() {
+    printf '$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n%s 7 "skin"\n' "$1"
+    printf '%s 8 "a \047core\047"\n$EndPhysicalNames\n$Nodes\n%s\n$EndNodes\n' "$2" "$3"
+    printf '$Elements\n%s\n$EndElements\n' "$4"
+}
+corners='9 0 0 0
+5 3 0 0
+6 0 3 0'
+msh_file 2 3 "4
+$corners
+99 0 0 3" '2
+40 2 2 7 3 9 5 6
+41 4 2 8 4 9 5 6 99' > "$dir/in.msh"
+quiet "$dir/in.msh" -o "$dir/out/two.msh" --order 2
+same 'MSH of order 2' "$(cat "$dir/out/two.msh")" "$(msh_file 2 3 "6
+$corners
+100 1.5 0 0
+101 1.5 1.5 0
+102 0 1.5 0" '1
+40 9 2 7 3 9 5 6 100 101 102')"
+quiet "$dir/in.msh" -o "$dir/out/one.msh" -n 2
+check 'MSH of facets has the numbers of their cells' \
+    [ "$(sed -n '/^"id"/,/^\$End/p' "$dir/out/one.msh" | grep -c ' 40$')" = 4 ]
+quiet "$dir/in.msh" -o "$dir/out/one.msh" -n 1 --boundary
+same 'MSH of the boundary' "$(sed '/ElementData/,$d' "$dir/out/one.msh")" "$(msh_file 3 2 "4
+$corners
+99 0 0 3" '4
+1 2 2 8 4 9 6 5
+2 2 2 8 4 9 5 99
+3 2 2 8 4 5 6 99
+4 2 2 8 4 6 9 99')"
+
+# ---- Own files, read again, are written again byte for byte. ----
+cat > "$dir/ball.vtk" << 'END'
+# vtk DataFile Version 3.0
+
+ASCII
+DATASET POLYDATA
+POINTS 6 double
+1 0 0 -1 0 0 0 1.1 0 0 -1 0 0 0 1 0 0 -1.3
+POLYGONS 8 32
+3 0 2 4 3 2 1 4 3 1 3 4 3 3 0 4 3 2 0 5 3 1 2 5 3 3 1 5 3 0 3 5
+POINT_DATA 6
+FIELD point 2
+third 1 6 double
+0.1 0.2 0.3333333333333333 1e-300 -5e300 0.7
+pair 2 6 int
+1 2 3 4 5 6 7 8 9 10 11 -12
+CELL_DATA 8
+FIELD cell 2
+id 1 8 int
+18 17 16 15 14 13 12 11
+tensor 9 8 double
+1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9
+1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8.5 .1
+END
+# again FILE OPTIONS...: a file of the ball in the format of this name, what it becomes, and that.
+again() {
+    name=$1 type=${1#*.} coding=$2
+    shift 2
+    quiet "$dir/ball.vtk" --crease 180 "$@" $coding -o "$dir/out/one.$type"
+    case $* in -n* | --tol*) set -- -n 1 ;; esac
+    for i in one two; do
+        next=two
+        [ $i = one ] || next=three
+        quiet "$dir/out/$i.$type" --crease 180 "$@" $coding -o "$dir/out/$next.$type"
+    done
+    check "$name $* $coding again" cmp -s "$dir/out/two.$type" "$dir/out/three.$type"
+    [ "$type" = msh ] ||
+        check "$name $* $coding" cmp -s "$dir/out/one.$type" "$dir/out/two.$type"
+}
+for coding in --text --binary; do
+    for type in vtu vtk msh ply; do
+        again $type $coding -n 1
+        again $type $coding -n 3
+        again $type $coding --tol 3%
+        [ $type = ply ] || again $type $coding --order 2
+        [ $type = ply ] || again $type $coding --order 3
+    done
+    again vtu $coding --bezier
+    again vtk $coding --bezier
+done
+quiet "$dir/ball.vtk" -n 3 -o "$dir/out/one.obj"
+quiet "$dir/out/one.obj" -n 1 -o "$dir/out/two.obj"
+# corners FILE: of each face of an OBJ file the places and normals.
+corners() {
+    awk '$1 == "v" { v[++n] = $0 } $1 == "vn" { vn[++k] = $0 }
+         $1 == "f" { for (i = 2; i <= 4; i++) { split($i, c, "//"); print v[c[1]], vn[c[2]] } }' "$1"
+}
+same 'OBJ again' "$(corners "$dir/out/two.obj" | cksum)" "$(corners "$dir/out/one.obj" | cksum)"
+quiet "$dir/ball.vtk" -n 3 -o "$dir/out/one.stl"
+quiet "$dir/out/one.stl" -n 1 -o "$dir/out/two.stl"
+quiet "$dir/out/two.stl" -n 1 -o "$dir/out/three.stl"
+check 'STL again' cmp -s "$dir/out/two.stl" "$dir/out/three.stl"
+
+# Sharp edges: a point of PLY for each normal, which reading joins; no normals in VTU.
+points='v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n'
+printf "${points}f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n" > "$dir/cube.obj"
+quiet "$dir/cube.obj" -n 1 -o "$dir/out/cube.ply"
+check 'PLY has three points at each corner' grep -qx 'element vertex 24' "$dir/out/cube.ply"
+quiet "$dir/out/cube.ply" -n 1 -o "$dir/out/two.ply"
+check 'PLY of a cube again' cmp -s "$dir/out/cube.ply" "$dir/out/two.ply"
+quiet "$dir/cube.obj" -n 1 -o "$dir/out/cube.vtu"
+check 'VTU of a cube has no normals' sh -c '! grep -q Normals "$0"' "$dir/out/cube.vtu"
+
+# A NaN, which not all programs read in texts; names that XML does not have.
+sed 's/^0.1 0.2/nan 0.2/;s/^third/%C3%A9%E9%01/' "$dir/ball.vtk" > "$dir/nan.vtk"
+quiet "$dir/nan.vtk" -o "$dir/out/nan.vtu"
+check 'a NaN is written in bytes' grep -q 'encoding="raw"' "$dir/out/nan.vtu"
+check 'names are what XML has' grep -q "Name=\"$(printf '\303\251__')\"" "$dir/out/nan.vtu"
+quiet "$dir/nan.vtk" -o "$dir/out/nan.vtu" --text
+check 'or as text, if one wants it' grep -qx nan "$dir/out/nan.vtu"
+
+# ---- STEP: every instance is there once and what it names is; the faces close. ----
+# step FILE WORD...: how often each of the words begins an instance.
+step() {
+    file=$1
+    shift
+    for word; do printf '%s ' "$(grep -c "^#[0-9]*=$word(" "$file")"; done
+}
+entities='VERTEX_POINT EDGE_CURVE ADVANCED_FACE CLOSED_SHELL OPEN_SHELL MANIFOLD_SOLID_BREP
+    BREP_WITH_VOIDS SHELL_BASED_SURFACE_MODEL'
+is_whole() {
+    awk 'match($0, /^#[0-9]+=/) { if (substr($0, 1, RLENGTH - 1) in known) bad++
+                                  known[substr($0, 1, RLENGTH - 1)]; sub(/^#[0-9]+/, "") }
+         { while (match($0, /#[0-9]+/)) { named[substr($0, RSTART, RLENGTH)]
+                                          $0 = substr($0, RSTART + RLENGTH) } }
+         END { for (n in named) if (!(n in known)) bad++
+               if (bad) print "    " bad " instances are wrong"
+               exit bad > 0 }' "$1"
+}
+# Each edge has two sides, one in each direction.
+closes() { grep -o "ORIENTED_EDGE.*" "$1" | sort | uniq -c | awk '$1 != 1 { exit 1 }'; }
+quiet "$dir/cube.obj" -o "$dir/out/cube.step"
+same 'STEP of a cube' "$(step "$dir/out/cube.step" $entities)" '8 18 12 1 0 1 0 0 '
+# cubes [TURNED]: a cube of side 4 and within it another one, which may look to its inside.
+cubes() {
+    awk '/^v/ { print "v", 4 * $2 - 1, 4 * $3 - 1, 4 * $4 - 1 }' "$dir/cube.obj"
+    grep '^v' "$dir/cube.obj"
+    grep '^f' "$dir/cube.obj"
+    awk -v turned="$1" '/^f/ { if (turned) print "f", $5 + 8, $4 + 8, $3 + 8, $2 + 8
+                               else print "f", $2 + 8, $3 + 8, $4 + 8, $5 + 8 }' "$dir/cube.obj"
+}
+cubes turned > "$dir/cavity.obj"
+quiet "$dir/cavity.obj" -o "$dir/out/cavity.step"
+same 'STEP of a cavity' "$(step "$dir/out/cavity.step" $entities)" '16 36 24 2 0 0 1 0 '
+cubes '' > "$dir/two.obj"
+quiet "$dir/two.obj" -o "$dir/out/two.step"
+same 'STEP of two solids' "$(step "$dir/out/two.step" $entities)" '16 36 24 2 0 2 0 0 '
+sed '$d' "$dir/two.obj" > "$dir/open.obj"
+quiet "$dir/open.obj" -o "$dir/out/open.stp"
+same 'STEP of a solid and a sheet' "$(step "$dir/out/open.stp" $entities)" '16 35 22 1 1 1 0 1 '
+awk '/^f/ { print "f", $5, $4, $3, $2 } /^v/' "$dir/cube.obj" > "$dir/turned.obj"
+quiet "$dir/turned.obj" -o "$dir/out/turned.step"
+same 'STEP of a cube turned inside out' "$(step "$dir/out/turned.step" $entities)" \
+    '8 18 12 1 0 1 0 0 '
+check 'its faces are turned' sh -c '! grep -q "FACE.*\.T\.);" "$0"' "$dir/out/turned.step"
+for file in "$dir"/out/*.st*p; do check "$file is whole" is_whole "$file"; done
+for file in cube cavity two turned; do check "$file closes" closes "$dir/out/$file.step"; done
+
+# ---- The report, where nobody takes it. ----
+{
+    sleep 1
+    "$smooth" "$dir/cube.obj" --quiet --report 2> "$dir/stderr"
+    echo $? > "$dir/status"
+} | :
+same 'status of a report into a closed pipe' "$(cat "$dir/status")" 1
+check 'what it says' grep -q '^smooth: standard output: ' "$dir/stderr"
 
 echo "files: $passed passed, $failed failed"
 [ "$failed" -eq 0 ]

@@ -969,6 +969,29 @@ static n3_patch shaken_patch(rng *r, n3_real reach)
     return p;
 }
 
+/* The net of the normal is the polynomial 9 sum net[i][j] u^i v^j w^k, i + j + k = 4. Its terms
+   are below 4, there are 36 of them. */
+static void net_of_normal(void)
+{
+    rng r = {14};
+    long q, count = sample_count(500);
+    for (q = 0; q < count; q++) {
+        n3_patch p = shaken_patch(&r, (n3_real)1 / 2);
+        n3_vec net[5][5], sum = n3_v(0, 0, 0);
+        n3_real u = (n3_real)rng_uniform(&r, 0, 1), v = (1 - u) * (n3_real)rng_uniform(&r, 0, 1);
+        n3_jet jet = n3_patch_jet(&p, u, v);
+        int i, j, k;
+        n3i_normal_net(&p, net);
+        for (i = 0; i < 5; i++)
+            for (j = 0; i + j < 5; j++) {
+                n3_real weight = 9;
+                for (k = 0; k < 4; k++) weight *= k < i ? u : k < i + j ? v : 1 - u - v;
+                sum = n3_add(sum, n3_mul(weight, net[i][j]));
+            }
+        CHECK_VEC(sum, n3_cross(jet.du, jet.dv), 9 * 36 * 4 * EPS, q);
+    }
+}
+
 /* The middle pulled out of the triangle folds the patch; and no patch that is said not to fold has,
    on a lattice, a normal that turns away from that of its outline. */
 static void folds(void)
@@ -1101,5 +1124,6 @@ const test_case tests_mesh[] = {{"unused_points_refined", unused_points_refined}
                                 {"report_of_faults", report_of_faults},
                                 {"report_of_garbage", report_of_garbage},
                                 {"report_measures", report_measures},
+                                {"net_of_normal", net_of_normal},
                                 {"folds", folds},
                                 {NULL, NULL}};

@@ -634,14 +634,15 @@ static void refined_triangle(void)
         CHECK_SAME(r.point[i], n3_patch_point(&p, r.uv[2 * i], r.uv[2 * i + 1]), i);
     for (j = 0; j <= 2; k += 3 - j++)
         for (i = 0; i <= 2 - j; i++)
-            CHECK_SAME(r.normal[k + i], n3_patch_normal(&p, (n3_real)i / 2, (n3_real)j / 2), j);
+            CHECK_VEC(r.normal[k + i], n3_patch_normal(&p, (n3_real)i / 2, (n3_real)j / 2), 2 * EPS,
+                      j);
     refined_free(&r);
     built_free(&b);
     shape_free(&s);
 }
 
 /* The surface at a parent's parameters is the point: but for the weights' rounding, which moves it
-   by 16 ulp of its coordinates, below 4. The parent is the first triangle whose part has the point,
+   by 16 ulp of its coordinates, below 4, and within normal_bound. The parent is the first triangle whose part has the point,
    and a part's normals are the surface's there. */
 static void check_parents(const built *b, const refined *r, int level, long row)
 {
@@ -661,7 +662,8 @@ static void check_parents(const built *b, const refined *r, int level, long row)
             if (first[v] < 0) first[v] = f;
             if (r->parent[v] != f) continue;
             CHECK_VEC(r->point[v], n3_patch_point(&p, uv[0], uv[1]), 64 * EPS, row);
-            CHECK_VEC(r->normal[r->corner[k]], n3_patch_normal(&p, uv[0], uv[1]), 0, row);
+            CHECK_VEC(r->normal[r->corner[k]], n3_patch_normal(&p, uv[0], uv[1]),
+                      normal_bound(&p, uv[0], uv[1]), row);
         }
     }
     for (i = 0; i < r->points; i++) CHECK(first[i] < 0 || r->parent[i] <= first[i], row);

@@ -166,7 +166,8 @@ shape shape_bracket(int round)
     shape s = shape_room(6 * n, 12 * n, 2 * n + 2);
     n3_vec normal;
     for (row = 0; row < 3; row++)
-        for (i = 0; i < n; i++) add_point(&s, n3_add(outline(i, round, &normal), vec(0, 0, row / 2.0)));
+        for (i = 0; i < n; i++)
+            add_point(&s, n3_add(outline(i, round, &normal), vec(0, 0, row / 2.0)));
     for (row = 0; row < 3; row++)
         for (i = 0; i < n; i++) {
             n3_vec x = n3_mul((n3_real)0.6, n3_unit(outline(i, round, &normal)));

@@ -211,6 +211,17 @@ misuse "$dir/tetra.obj" -o "$dir/no.obj" --rule cubic
 misuse "$dir/tetra.obj" -o "$dir/no.obj" --crease nan
 misuse "$dir/tetra.obj" -o "$dir/no.obj" --weld -1
 misuse "$dir/tetra.obj" -o "$dir/no.obj" --bezier
+misuse "$dir/tetra.obj" -o "$dir/no.obj" --order 2
+misuse "$dir/tetra.obj" -o "$dir/no.vtu" --order 4
+misuse "$dir/tetra.obj" -o "$dir/no.msh" --bezier
+misuse "$dir/tetra.obj" -o "$dir/no.stl" --text
+misuse "$dir/tetra.obj" -o "$dir/no.obj" --binary
+misuse "$dir/tetra.obj" -o "$dir/no.step" -n 2
+misuse "$dir/tetra.obj" -o "$dir/no.vtu" -n 2 --order 2
+misuse "$dir/tetra.obj" -o "$dir/no.vtu" --tol 1 --bezier
+for tolerance in 0 -1 nan inf 1%% 1x % ''; do
+    misuse "$dir/tetra.obj" -o "$dir/no.obj" --tol "$tolerance"
+done
 misuse "$dir/tetra.obj" -o "$dir/no.obj" --frobnicate
 misuse "$dir/tetra.obj" "$dir/tetra.obj" -o "$dir/no.obj"
 for option in -h --help --version; do
@@ -285,6 +296,15 @@ centroid() {
 check 'the centre by pn' centroid pn 0.44444444444444444
 check 'the centre by nagata' centroid nagata 0.55555555555555556
 check 'the centre by paper' centroid paper 0.55555555555555556
+
+# ---- Facets within a distance of the octant; its bounding box has the diagonal sqrt 3. ----
+same 'a wide distance' "$(field output_triangles "$dir/in.obj" -o "$dir/out.obj" --tol 1)" 1
+quiet "$dir/in.obj" -o "$dir/out.obj" --tol 1e-3
+quiet "$dir/in.obj" -o "$dir/percent.obj" --tol 0.057735026918962576%
+check 'a distance in percent' cmp -s "$dir/out.obj" "$dir/percent.obj"
+# Facets with sides s lie s^2 / 6 below the unit sphere: 21 parts of each edge are enough there.
+triangles=$(grep -c '^f' "$dir/out.obj")
+check "$triangles triangles for a thousandth" [ "$triangles" -gt 220 -a "$triangles" -lt 660 ]
 
 # above A B: A > B, for decimal numbers.
 above() { awk "BEGIN { exit !($1 > $2) }"; }

@@ -10,16 +10,20 @@ static void print_number(double x) { printf(isnan(x) ? " nan" : " %.17g", x); }
 
 static void print_fields(const char *what, const field *list, int fields, int rows)
 {
+    static const char *const kinds[] = {"real", "whole", "colours"};
     int i, j;
     for (i = 0; i < fields; i++) {
         printf("%s field '%s' %d %s:", what, list[i].name, list[i].components,
-               list[i].whole ? "whole" : "real");
+               kinds[list[i].kind]);
         for (j = 0; j < rows * list[i].components; j++) print_number(list[i].value[j]);
         printf("\n");
     }
 }
 
-static void print_vec(n3_vec a) { printf(" (%g %g %g)", (double)a.x, (double)a.y, (double)a.z); }
+static void print_vec(n3_vec a)
+{
+    printf(" (%.17g %.17g %.17g)", (double)a.x, (double)a.y, (double)a.z);
+}
 
 static void print_mesh(const mesh *m)
 {

@@ -1,0 +1,22 @@
+/* picture_look.h: what a sample of a scene looks like. */
+#ifndef PICTURE_LOOK_H
+#define PICTURE_LOOK_H
+
+#include "picture_scene.h"
+
+/* The patch and the eye are in the camera's axes: x to the right, y up, z towards the eye. unit:
+   the length 1 of these axes, in the scene's. */
+typedef struct look {
+    view v;
+    double range, unit, eye;
+} look;
+
+colour look_colour(const look *l, const n3_patch *p, double u, double v);
+
+/* The value that a map shows, in the scene's lengths. */
+double look_value(view v, const n3_patch *p, double u, double w);
+
+void look_legend(picture *p, panel f, view v, double range);
+int look_legend_height(panel f, view v);
+
+#endif
