@@ -22,8 +22,8 @@
  * CONTENTS
  *
  *     Part I, the paper     vectors, segment, curve plane, edge, patch, evaluator
- *     Part II, the mesh     what a mesh of triangles needs on top of single patches; and what is asked
- *                           of a patch: boxes, parts, curvature, the nearest point, rays, sums
+ *     Part II, the mesh     what a mesh of triangles needs on top of single patches; and what is
+ *                           asked of one: box, parts, curvature, nearest point, rays, sums
  *
  * THE SURFACE
  *
@@ -1211,8 +1211,8 @@ NAGATA3_API void n3_lattice_triangles(int first, int last, int level, int *trian
 /* ---- Report ---- */
 
 /* False if the patch certainly has no fold: all control vectors of its normal, du x dv, a quartic,
-   make an acute angle with the normal of its outline. True says that it may have one; n3_patch_folds
-   looks closer. */
+   make an acute angle with the normal of its outline. True says that it may have one;
+   n3_patch_folds looks closer. */
 NAGATA3_API int n3_patch_may_fold(const n3_patch *p);
 
 /* What is in a mesh and what became of it. A count that could not be taken, for want of the
@@ -1300,7 +1300,7 @@ typedef struct n3_foot {
     n3_vec x;             /* n3_patch_point at u, v */
     n3_real u, v;
     n3_real distance2;    /* the square of the distance */
-    int side;             /* 1: the point is where the normal at x looks to, -1: behind, 0: neither */
+    int side;             /* 1: the point is where the normal at x looks to, -1: behind it */
 } n3_foot;
 
 /* The nearest point of the whole patch, however it is folded: its squared distance is the least one
@@ -4628,7 +4628,8 @@ NAGATA3_API int n3i_is_beyond(const n3i_cell *c, const n3i_near2 *best)
    that is not far from that. */
 NAGATA3_API void n3i_project(const n3i_cell *c, n3_real w[3])
 {
-    n3_vec x = n3i_cell_at(c, 0), b = n3_sub(n3i_cell_at(c, 1), x), e = n3_sub(n3i_cell_at(c, 2), x);
+    n3_vec x = n3i_cell_at(c, 0);
+    n3_vec b = n3_sub(n3i_cell_at(c, 1), x), e = n3_sub(n3i_cell_at(c, 2), x);
     n3_real bb = n3_dot(b, b), be = n3_dot(b, e), ee = n3_dot(e, e), det = bb * ee - be * be, sum;
     n3_real xb = n3_dot(x, b), xe = n3_dot(x, e);
     w[0] = w[1] = w[2] = (n3_real)1 / 3;
@@ -4643,9 +4644,10 @@ NAGATA3_API void n3i_project(const n3i_cell *c, n3_real w[3])
 }
 
 /* Looks at a cell; returns whether it has to be cut. No value of d is below the least coefficient.
-   Nor, with the Hessian's eigenvalues above -30 m and a minimum at y, below d(y) - 30 m: at z on the
-   cell it is at least d(y) + <gradient, z - y> - 15 m |z - y|^2, the second is not negative, and
-   |z - y|^2 <= 2. The first bound takes the shape of the cell, the second what is not convex. */
+   Nor, with the Hessian's eigenvalues above -30 m and a minimum on the cell at y, below
+   d(y) - 30 m: at z on the cell it is at least d(y) + <gradient, z - y> - 15 m |z - y|^2, where the
+   product is not negative and |z - y|^2 <= 2. That bound only costs what is not convex: it settles
+   the cells round the foot, which the first could not but by cutting them down to rounding. */
 NAGATA3_API int n3i_look2(const n3i_cell *c, n3i_near2 *best)
 {
     n3_real q[49], w[3], range[2], corner, concave, bound, d = best->d;
@@ -4761,7 +4763,8 @@ NAGATA3_API n3_foot n3_patch_nearest(const n3_patch *p, n3_vec q)
    as its Bernstein coefficients show, its winding number says how many hits there are: none, or one
    that Newton finds. Other cells are cut. When one is as small as rounding its winding number still
    says how many hits it has to answer for. */
-NAGATA3_API int n3i_crossings(const n3_real x[10], const n3_real y[10], const int at[4], int halvings)
+NAGATA3_API int n3i_crossings(const n3_real x[10], const n3_real y[10], const int at[4],
+                              int halvings)
 {
     n3_real stack[N3I_CUTS + 2][8];
     int left[N3I_CUTS + 2], count = 1, crossings = 0, i;
@@ -4833,11 +4836,10 @@ NAGATA3_API int n3i_main_axis(n3_vec d)
     return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
-/* The Bernstein coefficients of the determinant of f's Jacobian at [5 i + j], the exponents of u and
-   v, but for a factor above 0 each: sums of the products of the quadratic nets of f_u and f_v, in
-   the order of n3_patch2.p, in which the Bernstein polynomials of the last three carry a 2. In
-   units of size^2, size its inverse. Returns the largest product. */
-NAGATA3_API n3_real n3i_jacobian(const n3i_cell *c, n3_real size, n3_real out[25])
+/* The Bernstein coefficients of the determinant of the Jacobian of scale f at [5 i + j], the
+   exponents of u and v, but for a factor above 0 each: as n3i_normal_net, in a plane. Returns the
+   largest product in them. */
+NAGATA3_API n3_real n3i_jacobian(const n3i_cell *c, n3_real scale, n3_real out[25])
 {
     static const int from[6] = {0, 4, 7, 3, 9, 8}, to_u[6] = {3, 1, 6, 4, 5, 9};
     static const int to_v[6] = {8, 5, 2, 9, 6, 7}, at[6] = {0, 10, 2, 5, 6, 1};
@@ -4845,7 +4847,7 @@ NAGATA3_API n3_real n3i_jacobian(const n3i_cell *c, n3_real size, n3_real out[25
     int a, b;
     memset(out, 0, 25 * sizeof(n3_real));
     for (a = 0; a < 6; a++) {
-        n3_real twice = a > 2 ? 2 * size : size;
+        n3_real twice = a > 2 ? 2 * scale : scale;
         for (b = 0; b < 2; b++) {
             u[b][a] = twice * (c->x[b][to_u[a]] - c->x[b][from[a]]);
             v[b][a] = twice * (c->x[b][to_v[a]] - c->x[b][from[a]]);
@@ -4858,8 +4860,7 @@ NAGATA3_API n3_real n3i_jacobian(const n3i_cell *c, n3_real size, n3_real out[25
     return largest_u * largest_v;
 }
 
-/* Whether the determinant has one sign on the cell, or is rounding: then there are no two hits on it
-   that cancel. */
+/* Whether the determinant has one sign on the cell, or is rounding: then no two hits on it cancel. */
 NAGATA3_API int n3i_is_simple(const n3i_cell *c, n3_real scale)
 {
     n3_real det[25], high = 0, low = 0, noise = N3_NOISE * n3i_jacobian(c, scale, det);
@@ -4969,8 +4970,8 @@ NAGATA3_API int n3i_is_missed(const n3i_cell *c)
     return right == 0 || right == 10 || up == 0 || up == 10;
 }
 
-/* All control points strictly on one side of a line through the origin, across the way to the sum of
-   the corners, or along the longer of two sides: then there is no hit. */
+/* All control points strictly on one side of a line through the origin, across the way to the sum
+   of the corners, or along the longer of two sides: then there is no hit. */
 NAGATA3_API int n3i_is_beside(const n3i_cell *c)
 {
     const n3_real *x = c->x[0], *y = c->x[1];
@@ -5070,7 +5071,8 @@ NAGATA3_API int n3_patch_folds(const n3_patch *p, n3_vec direction, int budget)
    u and v is one of degree n + 1 in s and n in t. So 6 x 6 nodes are exact up to n = 10. */
 NAGATA3_API n3_real n3i_node(int i)
 {
-    static const n3_real node[3] = {(n3_real)0.23861918608319690863, (n3_real)0.66120938646626451366,
+    static const n3_real node[3] = {(n3_real)0.23861918608319690863,
+                                    (n3_real)0.66120938646626451366,
                                     (n3_real)0.93246951420315202781};
     return (1 + (i < 3 ? -node[2 - i] : node[i - 3])) / 2;
 }
