@@ -9,9 +9,9 @@ MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic $(INCLUDE) $(CPPFLAGS) $(CFLAGS)
 LINK     = $(COMPILE) $(LDFLAGS) -o $@ $(filter %.c,$^) $(filter %.a,$^) -lm
 INCLUDE  = -I. -Itests -Iexamples -Iexamples/brown -Iexamples/join
-EXAMPLES = smooth brown join gallery demo_mesh figure7 \
+EXAMPLES = smooth brown join gallery ray gap demo_mesh figure7 \
            $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
-FIGURES  = facts scale accuracy seams bench_double bench_float
+FIGURES  = facts scale accuracy seams bench_double bench_float query_double query_float
 PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) $(FIGURES))
 HEADER   = $(addprefix $(BUILD)/test_,double float)
 BROWN    = $(addprefix $(BUILD)/brown_test_,double float)
@@ -55,6 +55,12 @@ pictures: $(BUILD)/pictures_test $(BUILD)/smooth $(BUILD)/demo_mesh  ## what smo
 join: $(JOIN) $(BUILD)/join $(BUILD)/seams  ## two meshes joined by a smooth bridge
 	@sh tests/run.sh $(JOIN) "sh tests/join/join_test.sh $(BUILD)/join $(BUILD)/seams"
 
+query: $(BUILD)/ray $(BUILD)/gap $(BUILD)/demo_mesh  ## rays and gaps, on bodies that are known
+	@sh tests/run.sh "sh tests/query_test.sh $(BUILD)/ray $(BUILD)/gap $(BUILD)/demo_mesh"
+
+gap: $(BUILD)/gap  ## the README's table of the gaps between smooth bodies
+	@$(BUILD)/gap
+
 seams: $(BUILD)/seams  ## the README's table of the angles at the seams of joined meshes
 	@$(BUILD)/seams
 
@@ -70,8 +76,9 @@ dialects:  ## the header alone, in every dialect of CC and CXX
 mutants:  ## break the header in 60 places, the tests must notice; MUTANTS=--all for everywhere
 	@CC="$(CC)" python3 tests/mutants.py $(MUTANTS) $(TEST_SRC)
 
-bench: $(BUILD)/bench_double $(BUILD)/bench_float $(BUILD)/scale  ## what calls and meshes cost
+bench: $(addprefix $(BUILD)/,bench_double bench_float query_double query_float scale)  ## speed
 	@$(BUILD)/bench_double $(ROUNDS) && $(BUILD)/bench_float $(ROUNDS)
+	@$(BUILD)/query_double $(ROUNDS) && $(BUILD)/query_float $(ROUNDS)
 	@$(BUILD)/scale $(LARGEST)
 
 accuracy: $(BUILD)/accuracy  ## how far from surfaces that are known exactly
@@ -127,15 +134,18 @@ $(BUILD)/brown: $(wildcard examples/brown/*.c)
 $(BUILD)/join: examples/join/join.c
 $(BUILD)/seams: examples/join/seams.c examples/join/inputs.c
 $(BUILD)/gallery: $(wildcard examples/gallery*.c)
+$(BUILD)/ray $(BUILD)/gap: $(BUILD)/%: examples/query/%.c examples/query/tree.c
 $(BUILD)/accuracy: $(wildcard bench/accuracy*.c)
 $(BUILD)/bench_double $(BUILD)/bench_float: bench/bench.c
+$(BUILD)/query_double $(BUILD)/query_float: bench/query.c
 $(BUILD)/write_seeds: tests/fuzz/write_seeds.c $(SEEDS)
 $(BUILD)/fuzz: tests/fuzz/fuzz.c $(SEEDS) $(FUZZ)
 $(BUILD)/dump: tests/fuzz/dump.c
 $(BUILD)/pictures_test: $(wildcard tests/pictures/*.c)
-$(addprefix $(BUILD)/,smooth brown join gallery dump pictures_test): $(BUILD)/shared.a
+$(addprefix $(BUILD)/,smooth brown join gallery ray gap dump pictures_test): $(BUILD)/shared.a
 $(addprefix $(BUILD)/,facts scale): $(BUILD)/%: bench/%.c
-$(filter-out %/brown %/join %/gallery,$(addprefix $(BUILD)/,$(EXAMPLES))): $(BUILD)/%: examples/%.c
+$(filter-out $(addprefix %/,brown join gallery ray gap),$(addprefix $(BUILD)/,$(EXAMPLES))): \
+  $(BUILD)/%: examples/%.c
 
 $(PROGRAMS) $(TESTS) $(TOOLS): $(HEADERS) | $(BUILD)
 	$(LINK)
@@ -159,5 +169,5 @@ $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compil
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown join seams files pictures fuzz ledger dialects mutants bench accuracy \
-        sweep facts golden gallery figures install help clean
+.PHONY: all demo test brown join seams query gap files pictures fuzz ledger dialects mutants \
+        bench accuracy sweep facts golden gallery figures install help clean
