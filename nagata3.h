@@ -4643,14 +4643,54 @@ NAGATA3_API void n3i_project(const n3i_cell *c, n3_real w[3])
     w[0] /= sum;
 }
 
+/* First differences are, but for a factor, the Bernstein coefficients of the derivatives along the
+   sides. Where one has one sign, d falls all the way along parallels to that side, to another side.
+   Returns the corner across that, or -1. */
+NAGATA3_API int n3i_downhill(const n3_real coefficient[49])
+{
+    int up[3] = {1, 1, 1}, down[3] = {1, 1, 1}, i, j;
+    for (i = 0; i < 6; i++)
+        for (j = 0; i + j < 6; j++) {
+            const n3_real *q = coefficient + 7 * i + j;
+            up[0] &= q[7] >= q[0];
+            down[0] &= q[7] <= q[0];
+            up[1] &= q[1] >= q[0];
+            down[1] &= q[1] <= q[0];
+            up[2] &= q[7] >= q[1];
+            down[2] &= q[7] <= q[1];
+        }
+    if (up[0] || up[2]) return 1;
+    if (down[0] || down[1]) return 0;
+    return up[1] || down[2] ? 2 : -1;
+}
+
+/* The minimum of a cell that lies on the side across a corner. */
+NAGATA3_API void n3i_settle_side(const n3i_cell *c, int corner, n3i_near2 *best)
+{
+    static const int side[3][4] = {{1, 5, 6, 2}, {2, 7, 8, 0}, {0, 3, 4, 1}};
+    n3i_near1 found;
+    n3_real w[3];
+    n3_edge e;
+    int i;
+    for (i = 0; i < 4; i++) e.p[i] = n3i_cell_at(c, side[corner][i]);
+    found = n3i_search1(&e);
+    w[corner] = 0;
+    w[(corner + 1) % 3] = 1 - found.t;
+    w[(corner + 2) % 3] = found.t;
+    if (found.d < best->d) n3i_improve(c, w, best);
+}
+
 /* Looks at a cell; returns whether it has to be cut. No value of d is below the least coefficient.
    Nor, with the Hessian's eigenvalues above -30 m and a minimum on the cell at y, below
    d(y) - 30 m: at z on the cell it is at least d(y) + <gradient, z - y> - 15 m |z - y|^2, where the
    product is not negative and |z - y|^2 <= 2. That bound only costs what is not convex: it settles
-   the cells round the foot, which the first could not but by cutting them down to rounding. */
+   the cells round the foot, which the first could not but by cutting them down to rounding. Cells
+   that go downhill to a side are settled there, also where d is convex along it and concave
+   across. */
 NAGATA3_API int n3i_look2(const n3i_cell *c, n3i_near2 *best)
 {
     n3_real q[49], w[3], range[2], corner, concave, bound, d = best->d;
+    int side;
     if (n3i_is_beyond(c, best)) return 0;
     n3i_square2(c, q, range);
     bound = N3_BOUND * range[1];
@@ -4664,10 +4704,12 @@ NAGATA3_API int n3i_look2(const n3i_cell *c, n3i_near2 *best)
         }
         if (!(d - concave < best->d - bound)) return 0;
     }
-    return c->cuts < N3I_CUTS;
+    side = n3i_downhill(q);
+    if (side >= 0) n3i_settle_side(c, side, best);
+    return side < 0 && c->cuts < N3I_CUTS;
 }
 
-/* A best foot on sides becomes the curve's own foot there. */
+/* A best foot on sides of the patch becomes the curve's own foot there. */
 NAGATA3_API void n3i_settle(const n3_patch *p, n3_vec q, const n3i_cell *root, n3i_near2 *best)
 {
     n3_edge e[3];
