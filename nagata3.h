@@ -4418,9 +4418,8 @@ NAGATA3_API n3_real n3_edge_nearest(const n3_edge *e, n3_vec q)
 }
 
 /* The patch seen from the point, x and its derivatives at the weights w; the squared distance
-   d = <x, x>, and half of its first and second derivatives in u and v: g, h as uu, uv, vv.
-   gauss: h without <x, x_uu>. */
-typedef struct n3i_form { n3_vec x, du, dv; n3_real d, g[2], h[3], gauss[3]; } n3i_form;
+   d = <x, x>, and half of its first and second derivatives in u and v: g, h as uu, uv, vv. */
+typedef struct n3i_form { n3_vec x, du, dv; n3_real d, g[2], h[3]; } n3i_form;
 
 /* Value, du, dv, duu, duv, dvv of a row, as in n3_patch_jet. */
 NAGATA3_API void n3i_row_jet(const n3_real x[10], const n3_real w[3], n3_real j[6])
@@ -4456,10 +4455,10 @@ NAGATA3_API n3i_form n3i_form_at(const n3i_cell *c, const n3_real w[3])
     f.d = n3_dot(f.x, f.x);
     f.g[0] = n3_dot(f.x, f.du);
     f.g[1] = n3_dot(f.x, f.dv);
-    f.gauss[0] = n3_dot(f.du, f.du);
-    f.gauss[1] = n3_dot(f.du, f.dv);
-    f.gauss[2] = n3_dot(f.dv, f.dv);
-    for (i = 0; i < 3; i++) f.h[i] = f.gauss[i] + n3_dot(f.x, n3_v(x[3 + i], y[3 + i], z[3 + i]));
+    f.h[0] = n3_dot(f.du, f.du);
+    f.h[1] = n3_dot(f.du, f.dv);
+    f.h[2] = n3_dot(f.dv, f.dv);
+    for (i = 0; i < 3; i++) f.h[i] += n3_dot(f.x, n3_v(x[3 + i], y[3 + i], z[3 + i]));
     return f;
 }
 
@@ -4472,24 +4471,26 @@ NAGATA3_API int n3i_is_blocked(const n3_real w[3], const n3_real step[3])
     return 0;
 }
 
-/* Newton's step h step = -g; where h is not positive definite, by Gauss and Newton. */
+/* Newton's step h step = -g. Where h is not positive definite both of its eigenvalues are raised so
+   far that the smaller one is a 64th of what they were. */
 NAGATA3_API void n3i_free_step(const n3i_form *f, n3_real step[3])
 {
-    const n3_real *h = f->h;
-    n3_real det = h[0] * h[2] - h[1] * h[1], ridge = 0;
-    if (!(h[0] > 0 && det > N3_NOISE * h[0] * h[2])) {
-        h = f->gauss;
-        ridge = (h[0] + h[2]) / 1024;
-        det = h[0] * h[2] - h[1] * h[1] + ridge * (h[0] + h[2] + ridge);
-    }
+    n3_real uu = f->h[0], uv = f->h[1], vv = f->h[2], det = uu * vv - uv * uv;
     step[1] = step[2] = step[0] = 0;
+    if (!(uu > 0 && det > N3_NOISE * uu * vv)) {
+        n3_real half = n3i_middle(uu, -vv), root = n3i_sqrt(half * half + uv * uv);
+        n3_real mean = n3i_middle(uu, vv), raised = root - mean + (n3i_abs(mean) + root) / 64;
+        uu += raised;
+        vv += raised;
+        det = uu * vv - uv * uv;
+    }
     if (!(det > 0)) return;
-    step[1] = (h[1] * f->g[1] - (h[2] + ridge) * f->g[0]) / det;
-    step[2] = (h[1] * f->g[0] - (h[0] + ridge) * f->g[1]) / det;
+    step[1] = (uv * f->g[1] - vv * f->g[0]) / det;
+    step[2] = (uv * f->g[0] - uu * f->g[1]) / det;
     step[0] = -step[1] - step[2];
 }
 
-/* The same along the side across corner i. */
+/* The same along the side across corner i; where it bends down, to the end. */
 NAGATA3_API void n3i_side_step(const n3i_form *f, int i, n3_real step[3])
 {
     n3_real e[3], h, g;
@@ -4498,9 +4499,8 @@ NAGATA3_API void n3i_side_step(const n3i_form *f, int i, n3_real step[3])
     e[(i + 2) % 3] = -1;
     g = f->g[0] * e[1] + f->g[1] * e[2];
     h = f->h[0] * e[1] * e[1] + 2 * f->h[1] * e[1] * e[2] + f->h[2] * e[2] * e[2];
-    if (!(h > 0))
-        h = f->gauss[0] * e[1] * e[1] + 2 * f->gauss[1] * e[1] * e[2] + f->gauss[2] * e[2] * e[2];
-    for (i = 0; i < 3; i++) step[i] = h > 0 ? -g / h * e[i] : 0;
+    g = h > 0 ? -g / h : g > 0 ? -1 : g < 0 ? 1 : 0;
+    for (i = 0; i < 3; i++) step[i] = g * e[i];
 }
 
 /* A step that stays in the triangle, along a side if need be; the zero step where d has a minimum
@@ -4760,6 +4760,11 @@ NAGATA3_API n3_foot n3_patch_nearest(const n3_patch *p, n3_vec q)
     while (stack.count > 0 && looked++ < 4 * N3I_CELLS) {
         n3i_cell c = stack.cell[--stack.count];
         if (n3i_look2(&c, &best)) n3i_cell_cut(&stack, &c, 3);
+    }
+    while (stack.count > 0) {
+        const n3i_cell *c = &stack.cell[--stack.count];
+        n3i_project(c, w);
+        n3i_improve(c, w, &best);
     }
     if (!(sum - sum <= 0)) best.w[0] = best.w[1] = best.w[2] = best.turn = sum - sum;
     n3i_settle(p, q, &root, &best);
