@@ -3,25 +3,33 @@ CC     ?= cc
 CXX    ?= c++
 CFLAGS ?= -O2
 PREFIX ?= /usr/local
+ROUNDS ?= 21
 BUILD   = build
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 
-COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic $(INCLUDE) $(CPPFLAGS) $(CFLAGS)
+COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic $(INCLUDE) $(CPPFLAGS) $(CFLAGS) $(THREADS)
 LINK     = $(COMPILE) $(LDFLAGS) -o $@ $(filter %.c,$^) $(filter %.a,$^) -lm
 INCLUDE  = -I. -Itests -Iexamples -Iexamples/brown -Iexamples/join
 EXAMPLES = smooth brown join gallery ray gap demo_mesh figure7 \
            $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
-FIGURES  = facts scale accuracy seams bench_double bench_float query_double query_float
-PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) $(FIGURES))
+PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) facts scale accuracy seams) $(BENCH) $(ASKED)
+PARALLEL = $(addprefix $(BUILD)/,smooth brown join gallery ray gap dump pictures)
+BENCH    = $(addprefix $(BUILD)/bench_,double float)
+ASKED    = $(addprefix $(BUILD)/query_,double float)
+COUNTS   = $(addprefix $(BUILD)/counts_,double float)
 HEADER   = $(addprefix $(BUILD)/test_,double float)
 BROWN    = $(addprefix $(BUILD)/brown_test_,double float)
 JOIN     = $(addprefix $(BUILD)/join_test_,double float)
 TESTS    = $(HEADER) $(BROWN) $(JOIN)
-TOOLS    = $(addprefix $(BUILD)/,write_seeds dump pictures_test fuzz)
+TOOLS    = $(addprefix $(BUILD)/,write_seeds dump pictures fuzz)
 TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c)) $(wildcard bench/accuracy_m*.c) \
            bench/accuracy_surface.c
 SEEDS    = $(addprefix tests/fuzz/,mutate.c seeds.c)
 FUZZ     = tests/fuzz/sandbox.c $(filter-out examples/mesh_file.c,$(wildcard examples/mesh*.c))
+COUNTED  = -O2 -march=x86-64-v3
+NATIVE  := $(shell $(CC) -march=native -E -xc /dev/null >/dev/null 2>&1 && echo -march=native)
+OPENMP  := $(shell echo 'int main(void) { return 0; }' | $(CC) -fopenmp -xc - -o /dev/null \
+           2>/dev/null && echo -fopenmp)
 SANITIZE = -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
 SHARED   = $(wildcard $(addprefix examples/,mesh*.c picture*.c smooth_*.c png.c deflate.c colour.c))
 HEADERS  = $(wildcard nagata3.h tests/*.h tests/*/*.h examples/*.h examples/*/*.h bench/*.h)
@@ -48,8 +56,8 @@ brown: $(BROWN) $(BUILD)/brown $(BUILD)/smooth  ## Brown's surfaces, the program
 files: $(BUILD)/write_seeds $(BUILD)/dump $(BUILD)/smooth  ## every variant of every format
 	@sh tests/run.sh "sh tests/files_test.sh $(BUILD)/smooth $(BUILD)/write_seeds $(BUILD)/dump"
 
-pictures: $(BUILD)/pictures_test $(BUILD)/smooth $(BUILD)/demo_mesh  ## what smooth draws
-	@sh tests/run.sh $(BUILD)/pictures_test \
+pictures: $(BUILD)/pictures $(BUILD)/smooth $(BUILD)/demo_mesh  ## what smooth draws
+	@sh tests/run.sh $(BUILD)/pictures \
 	    "sh tests/pictures_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
 
 join: $(JOIN) $(BUILD)/join $(BUILD)/seams  ## two meshes joined by a smooth bridge
@@ -64,6 +72,9 @@ gap: $(BUILD)/gap  ## the README's table of the gaps between smooth bodies
 seams: $(BUILD)/seams  ## the README's table of the angles at the seams of joined meshes
 	@$(BUILD)/seams
 
+large: $(BUILD)/smooth $(BUILD)/demo_mesh  ## two million triangles through smooth, in 2 GiB
+	@sh tests/run.sh "sh tests/large_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
+
 fuzz: $(BUILD)/fuzz  ## read broken files of every format under the sanitizers; FILES=n of them
 	@$(BUILD)/fuzz $(FILES)
 
@@ -76,10 +87,13 @@ dialects:  ## the header alone, in every dialect of CC and CXX
 mutants:  ## break the header in 60 places, the tests must notice; MUTANTS=--all for everywhere
 	@CC="$(CC)" python3 tests/mutants.py $(MUTANTS) $(TEST_SRC)
 
-bench: $(addprefix $(BUILD)/,bench_double bench_float query_double query_float scale)  ## speed
-	@$(BUILD)/bench_double $(ROUNDS) && $(BUILD)/bench_float $(ROUNDS)
-	@$(BUILD)/query_double $(ROUNDS) && $(BUILD)/query_float $(ROUNDS)
+bench: $(BENCH) $(ASKED) $(BUILD)/scale  ## what calls and meshes cost; also as CSV below build
+	@for b in $(BENCH); do $$b $(ROUNDS) $$b.csv || exit; done
+	@for b in $(ASKED); do $$b $(ROUNDS) || exit; done
 	@$(BUILD)/scale $(LARGEST)
+
+bench-counts: $(COUNTS)  ## instructions of each call against bench/counts.csv, by valgrind
+	@sh bench/counts.sh "$$($(CC) --version | head -n 1), $(COUNTED)" $(COUNTS) bench/counts.csv
 
 accuracy: $(BUILD)/accuracy  ## how far from surfaces that are known exactly
 	@$(BUILD)/accuracy $(SURFACES)
@@ -119,8 +133,8 @@ install:  ## the header, with what pkg-config and CMake need, below $(DESTDIR)$(
 	    'endif()' > $(LIB)/cmake/nagata3/nagata3-config-version.cmake
 
 help:  ## this list
-	@sed -n 's/^\([a-z]*\):.*  ## \(.*\)/\1:\2/p' Makefile | \
-	    while IFS=: read -r name what; do printf '%-9s %s\n' "$$name" "$$what"; done
+	@sed -n 's/^\([a-z-]*\):.*  ## \(.*\)/\1:\2/p' Makefile | \
+	    while IFS=: read -r name what; do printf '%-12s %s\n' "$$name" "$$what"; done
 
 clean:  ## remove what was built
 	rm -rf $(BUILD)
@@ -136,18 +150,18 @@ $(BUILD)/seams: examples/join/seams.c examples/join/inputs.c
 $(BUILD)/gallery: $(wildcard examples/gallery*.c)
 $(BUILD)/ray $(BUILD)/gap: $(BUILD)/%: examples/query/%.c examples/query/tree.c
 $(BUILD)/accuracy: $(wildcard bench/accuracy*.c)
-$(BUILD)/bench_double $(BUILD)/bench_float: bench/bench.c
-$(BUILD)/query_double $(BUILD)/query_float: bench/query.c
+$(BENCH) $(COUNTS): bench/bench.c
+$(ASKED): bench/query.c
 $(BUILD)/write_seeds: tests/fuzz/write_seeds.c $(SEEDS)
 $(BUILD)/fuzz: tests/fuzz/fuzz.c $(SEEDS) $(FUZZ)
 $(BUILD)/dump: tests/fuzz/dump.c
-$(BUILD)/pictures_test: $(wildcard tests/pictures/*.c)
-$(addprefix $(BUILD)/,smooth brown join gallery ray gap dump pictures_test): $(BUILD)/shared.a
+$(BUILD)/pictures: $(wildcard tests/pictures/*.c)
+$(PARALLEL): $(BUILD)/shared.a
 $(addprefix $(BUILD)/,facts scale): $(BUILD)/%: bench/%.c
-$(filter-out $(addprefix %/,brown join gallery ray gap),$(addprefix $(BUILD)/,$(EXAMPLES))): \
+$(filter-out %/brown %/join %/gallery %/ray %/gap,$(addprefix $(BUILD)/,$(EXAMPLES))): \
   $(BUILD)/%: examples/%.c
 
-$(PROGRAMS) $(TESTS) $(TOOLS): $(HEADERS) | $(BUILD)
+$(PROGRAMS) $(TESTS) $(TOOLS) $(COUNTS): $(HEADERS) | $(BUILD)
 	$(LINK)
 $(BUILD)/golden_gen: tests/golden_gen.c | $(BUILD)
 	$(CC) -O2 -o $@ $< -lquadmath -lm
@@ -165,9 +179,13 @@ $(BUILD)/%.svg: $(BUILD)/%
 
 $(BUILD)/%_float: CPPFLAGS += -DNAGATA3_FLOAT
 $(BUILD)/fuzz: CPPFLAGS += $(SANITIZE) -Dfree=sandbox_free
+$(PARALLEL) $(BUILD)/shared.a $(BUILD)/03_threads: THREADS = $(OPENMP)
+$(BENCH) $(COUNTS): THREADS = -pthread
+$(BENCH) $(BUILD)/scale: CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O3 $(NATIVE),$(CFLAGS))
+$(COUNTS): CFLAGS := $(COUNTED)
 $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compiles in half the time
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown join seams query gap files pictures fuzz ledger dialects mutants \
-        bench accuracy sweep facts golden gallery figures install help clean
+.PHONY: all demo test brown join seams query gap files pictures large fuzz ledger dialects \
+        mutants bench bench-counts accuracy sweep facts golden gallery figures install help clean

@@ -30,6 +30,17 @@ static n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v
     return n3_patch_point(&p, u, v);
 }
 
+int surface_on_square(const surface *s, int triangle, n3_real u, n3_real v, n3_jet *jet,
+                      n3_vec *normal)
+{
+    const brown_square *q = square_of(s, triangle);
+    if (!q) return 0;
+    to_square(s, triangle, &u, &v);
+    *jet = brown_jet(q, u, v);
+    *normal = brown_normal(q, u, v);
+    return 1;
+}
+
 n3_vec surface_normal(const surface *s, int triangle, n3_real u, n3_real v)
 {
     n3_patch p;
@@ -222,21 +233,26 @@ static void lay_node(grid *g, int node)
         g->node[node] = surface_point(s, t, g->uv[2 * node], g->uv[2 * node + 1]);
 }
 
+void surface_square_normals(const surface *s, int triangle, int level, n3_vec *normal)
+{
+    int i, j;
+    if (!square_of(s, triangle)) return;
+    for (j = 0; j <= level; j++)
+        for (i = 0; i <= level - j; i++)
+            *normal++ = surface_normal(s, triangle, (n3_real)i / level, (n3_real)j / level);
+}
+
 /* Those on the sides of squares are where they should be, on the edges of the net. */
 void grid_lay_squares(grid *g, int level)
 {
     const surface *s = g->surface;
-    const int edges = s->topology.edges;
-    int e, t, i, j, n = 0;
+    const int edges = s->topology.edges, size = (level + 1) * (level + 2) / 2;
+    int e, t, i;
     for (e = 0; e < edges; e++)
         for (i = g->first[e]; i < g->first[e + 1] && is_diagonal(s, e); i++) lay_node(g, i);
     for (i = g->first[edges]; i < g->nodes; i++) lay_node(g, i);
     for (t = 0; t < s->mesh.triangles && g->normal; t++)
-        for (j = 0; j <= level; j++)
-            for (i = 0; i <= level - j; i++, n++)
-                if (square_of(s, t))
-                    g->normal[n] =
-                        surface_normal(s, t, (n3_real)i / level, (n3_real)j / level);
+        surface_square_normals(s, t, level, g->normal + (size_t)t * (size_t)size);
 }
 
 /* ---- Report ---- */
