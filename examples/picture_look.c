@@ -26,6 +26,8 @@ int view_find(const char *name)
     return -1;
 }
 
+const char *view_name(view v) { return views[v].name; }
+
 /* First fundamental form, E F G, and second, L M N, of the normal n. */
 static double curvature(const n3_jet *j, n3_vec n, int mean)
 {
@@ -44,6 +46,11 @@ double look_value(view v, const n3_patch *p, double u, double w)
         return curvature(&j, n3_patch_normal(p, (n3_real)u, (n3_real)w), v == VIEW_MEAN);
     face = n3_unit(n3_cross(n3_sub(p->p[1], p->p[0]), n3_sub(p->p[2], p->p[0])));
     return fabs(n3_dot(face, n3_sub(j.x, p->p[0])));
+}
+
+double look_unit(view v, double length)
+{
+    return v == VIEW_MEAN ? 1 / length : v == VIEW_GAUSS ? 1 / length / length : length;
 }
 
 /* Whether a value lies in a light stripe. */
@@ -73,9 +80,7 @@ static colour lit(colour c, double light, double shine)
 
 static colour map_colour(const look *l, const n3_patch *p, double u, double v)
 {
-    double unit = l->v == VIEW_MEAN ? 1 / l->unit : l->unit, t;
-    if (l->v == VIEW_GAUSS) unit = 1 / l->unit / l->unit;
-    t = look_value(l->v, p, u, v) * unit / l->range;
+    double t = look_value(l->v, p, u, v) * look_unit(l->v, l->unit) / l->range;
     return l->v == VIEW_ERROR ? colour_sequential(t) : colour_diverging(t);
 }
 

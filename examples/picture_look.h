@@ -13,8 +13,9 @@ typedef struct look {
 
 colour look_colour(const look *l, const n3_patch *p, double u, double v);
 
-/* The value that a map shows, in the scene's lengths. */
+/* The value that a map shows, and by what it changes with a patch so many times as large. */
 double look_value(view v, const n3_patch *p, double u, double w);
+double look_unit(view v, double length);
 
 void look_legend(picture *p, panel f, view v, double range);
 int look_legend_height(panel f, view v);

@@ -9,6 +9,7 @@
 
 enum { SIDE = 4, BAND = 32 }; /* samples along a pixel; rows of pixels that are made at once */
 enum { FINEST = 256 };        /* parts of a side */
+enum { OUTLINE = 15 };        /* points of a patch by which it is framed */
 enum { CURVE = 24 };          /* strokes of an edge */
 
 static const double degree = 3.14159265358979323846 / 180;
@@ -58,6 +59,27 @@ void scene_add_net(scene *s)
     }
 }
 
+/* Points of the surface that tell its extent: the i-th of each patch. */
+static n3_vec outline_point(const n3_patch *p, int i)
+{
+    static const int place[OUTLINE][2] = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0},
+                                          {0, 1}, {1, 1}, {2, 1}, {3, 1}, {0, 2},
+                                          {1, 2}, {2, 2}, {0, 3}, {1, 3}, {0, 4}};
+    return n3_patch_point(p, (n3_real)place[i][0] / 4, (n3_real)place[i][1] / 4);
+}
+
+/* Lines without a width take room and are not seen. */
+void scene_add_room(scene *s, const scene *other)
+{
+    const colour none = {0, 0, 0};
+    int i, k;
+    for (i = 0; i < other->patches; i++)
+        for (k = 0; k < OUTLINE; k++) {
+            n3_vec x = outline_point(&other->patch[i], k);
+            scene_add_stroke(s, x, x, 0, none);
+        }
+}
+
 void scene_free(scene *s)
 {
     free(s->patch);
@@ -79,19 +101,37 @@ static double round_up(double x)
     return ceil(x / unit) * unit;
 }
 
+/* The patch in the size of 1, at the origin; returns its size. */
+static double to_unit(n3_patch *p)
+{
+    const n3_vec origin = p->p[0];
+    n3_real size = 0;
+    int i;
+    for (i = 0; i < 10; i++) {
+        n3_real length = n3_len(p->p[i] = n3_sub(p->p[i], origin));
+        if (length > size) size = length;
+    }
+    for (i = 0; i < 10 && size > 0; i++)
+        p->p[i] = n3_v(p->p[i].x / size, p->p[i].y / size, p->p[i].z / size);
+    return (double)size;
+}
+
 double scene_range(const scene *s, view v)
 {
     double *value, range = 0;
     int i, k, n = 0;
     if (v != VIEW_MEAN && v != VIEW_GAUSS && v != VIEW_ERROR) return 0;
     value = allocate((size_t)s->patches, 6 * sizeof *value);
-    for (i = 0; i < s->patches; i++)
+    for (i = 0; i < s->patches; i++) {
+        n3_patch p = s->patch[i];
+        double unit = to_unit(&p);
         for (k = 0; k < 6; k++, n++) { /* inside, on two rings */
             double far_off = k < 3 ? 0.8 : 0.45, rest = (1 - far_off) / 2;
             double u = k % 3 == 1 ? far_off : rest, w = k % 3 == 2 ? far_off : rest;
-            value[n] = fabs(look_value(v, &s->patch[i], u, w));
+            value[n] = fabs(look_value(v, &p, u, w)) * look_unit(v, unit);
             if (!(value[n] < HUGE_VAL)) value[n] = 0;
         }
+    }
     qsort(value, (size_t)n, sizeof *value, compare);
     if (n) range = v == VIEW_ERROR ? value[n - 1] : value[(int)((n - 1) * 0.95)];
     free(value);
@@ -128,20 +168,12 @@ static seen project(const pose *c, n3_vec x)
     return s;
 }
 
-/* Points of the surface that tell its extent: the i-th of each patch, 0 to 14. */
-static n3_vec outline_point(const n3_patch *p, int i)
-{
-    static const int place[15][2] = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {0, 1}, {1, 1}, {2, 1},
-                                     {3, 1}, {0, 2}, {1, 2}, {2, 2}, {0, 3}, {1, 3}, {0, 4}};
-    return n3_patch_point(p, (n3_real)place[i][0] / 4, (n3_real)place[i][1] / 4);
-}
-
 /* The box of the outline and the strokes, in the axes of the pose as it stands. */
 static void find_box(const scene *s, const pose *c, n3_vec *lo, n3_vec *hi)
 {
     int i, k;
     for (i = 0; i < s->patches; i++)
-        for (k = 0; k < 15; k++) {
+        for (k = 0; k < OUTLINE; k++) {
             n3_vec x = to_camera(c, outline_point(&s->patch[i], k));
             if (i + k == 0) *lo = *hi = x;
             box_add(lo, hi, x);
@@ -162,7 +194,7 @@ static void step_back(const scene *s, pose *c, panel f)
     int i, k;
     c->eye = 2;
     for (i = 0; i < s->patches; i++)
-        for (k = 0; k < 15; k++)
+        for (k = 0; k < OUTLINE; k++)
             c->eye = fmax(c->eye, distance_for(c, to_camera(c, outline_point(&s->patch[i], k)), f));
     for (i = 0; i < 2 * s->strokes; i++)
         c->eye = fmax(c->eye, distance_for(c, to_camera(c, s->stroke[i / 2].p[i % 2]), f));
@@ -384,7 +416,8 @@ static void fill_band(const band *b, const pose *c, const scene *s, const shape 
             x.z += (n3_real)lift;
             p[k] = project(c, x);
         }
-        fill_stroke(b, s->patches + i, &p[0], &p[1], s->stroke[i].width * SIDE);
+        if (s->stroke[i].width > 0)
+            fill_stroke(b, s->patches + i, &p[0], &p[1], s->stroke[i].width * SIDE);
     }
 }
 

@@ -34,6 +34,7 @@ typedef struct surface {
     brown_square *square;
     int *half; /* of each triangle, 2 * its square, whose corners 0 1 2 it has, or 2 * its square + 1
                   for 0 2 3; negative: it is a patch. NULL: they all are */
+    n3_real cos_crease;
 } surface;
 
 /* Facets, elements with nodes on the surface, or with control points. */
@@ -64,6 +65,10 @@ typedef struct product {
 void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_real cos_crease,
                   surface *s);
 void surface_free(surface *s);
+
+/* n3_mesh_refine into room that is there, each but point may be NULL. */
+void surface_refine(const surface *s, int level, n3_vec *point, int *triangle, n3_vec *normal,
+                    int *corner);
 
 /* Squares over the quads that the mesh had in the file, in place of patches. */
 void surface_find_quads(const mesh *m, surface *s);
@@ -102,11 +107,11 @@ product product_write(const request *r, const mesh *m, const surface *s);
 /* What reading has made of the file, never in silence: for stderr, a line for each. */
 void report_reading(const char *in, const mesh *m);
 
-/* One line for stderr; the whole story for stdout, as text or as JSON. */
+/* One line for stderr; the whole story, as text or as JSON. */
 void report_line(const char *in, const surface *s, const n3_report *r, const product *out);
-void report_text(const char *in, const mesh *m, const surface *s, const n3_report *r,
+void report_text(FILE *f, const char *in, const mesh *m, const surface *s, const n3_report *r,
                  const product *out);
-void report_json(const char *in, const mesh *m, const surface *s, const n3_report *r,
+void report_json(FILE *f, const char *in, const mesh *m, const surface *s, const n3_report *r,
                  const product *out);
 
 #endif
