@@ -176,5 +176,5 @@ $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compil
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown join seams files pictures large fuzz ledger dialects mutants bench \
-        bench-counts accuracy sweep facts golden gallery figures install help clean
+.PHONY: all demo test brown join seams files pictures large fuzz ledger dialects mutants \
+        bench bench-counts accuracy sweep facts golden gallery figures install help clean

@@ -162,7 +162,7 @@ static void check_options(const options *o)
         misuse("-n, --tol, --order and --bezier exclude each other");
     if (r->path && product_refuse(r)) misuse("'%s' %s", r->path, product_refuse(r));
     if (o->quads && (r->kind == BEZIER || (r->path && product_is_exact(r))))
-        misuse("--quads brown has no control points for --bezier and .step");
+        misuse("--quads brown has no control points for --bezier, .step and .html");
 }
 
 static options read_options(int argc, char **argv)
