@@ -76,7 +76,7 @@ seams: $(BUILD)/seams  ## the README's table of the angles at the seams of joine
 	@$(BUILD)/seams
 
 large: $(BUILD)/smooth $(BUILD)/demo_mesh  ## two million triangles through smooth, in 2 GiB
-	@sh tests/run.sh "sh tests/large_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
+	@sh tests/run.sh "bash tests/large_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
 
 fuzz: $(BUILD)/fuzz  ## read broken files of every format under the sanitizers; FILES=n of them
 	@$(BUILD)/fuzz $(FILES)

@@ -4186,27 +4186,35 @@ NAGATA3_API void n3i_report_flags(const unsigned *flags, n3_report *r)
     r->degenerate_edges = n3i_count_flags(flags, r->edges, N3_EDGE_DEGENERATE);
 }
 
-/* The patch's normal at t along one of its sides. */
-NAGATA3_API n3_vec n3i_side_normal(const n3_patch *p, int side, n3_real t)
+/* The parameters of a patch at quarters of one of its sides, from its end if turned. */
+NAGATA3_API void n3i_side_quarters(int side, int turned, n3_real uv[6])
 {
-    if (side == 0) return n3_patch_normal(p, t, 0);
-    return side == 1 ? n3_patch_normal(p, 1 - t, t) : n3_patch_normal(p, 0, 1 - t);
+    int i;
+    for (i = 0; i < 3; i++) {
+        n3_real t = (n3_real)(turned ? 3 - i : i + 1) / 4;
+        uv[2 * i] = side == 0 ? t : side == 1 ? 1 - t : 0;
+        uv[2 * i + 1] = side == 0 ? 0 : side == 1 ? t : 1 - t;
+    }
 }
 
 NAGATA3_API void n3i_report_jump(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
                                  int edge, n3_report *r)
 {
+    static const int parent[6] = {0, 0, 0, 1, 1, 1};
     n3_patch p[2];
+    n3_real uv[12];
+    n3_vec n[6];
     int i, two[2];
     if (!n3i_is_regular(m, t, edge, two)) return;
-    for (i = 0; i < 2; i++)
+    for (i = 0; i < 2; i++) {
         if (n3i_is_zero(n3i_face_of(m, two[i] / 3).normal)) return;
-    for (i = 0; i < 2; i++) p[i] = n3i_mesh_patch(m, t, net, two[i] / 3);
-    for (i = 1; i < 4; i++) {
-        n3_real s = (n3_real)i / 4, jump;
-        n3_vec n0 = n3i_side_normal(&p[0], two[0] % 3, s);
-        n3_vec n1 = n3i_side_normal(&p[1], two[1] % 3, 1 - s);
-        jump = n3i_is_zero(n0) || n3i_is_zero(n1) ? 0 : n3_len(n3_sub(n0, n1));
+        p[i] = n3i_mesh_patch(m, t, net, two[i] / 3);
+        n3i_side_quarters(two[i] % 3, i, uv + 6 * i);
+    }
+    n3_patch_normals(p, parent, uv, 0, 6, n);
+    for (i = 0; i < 3; i++) {
+        n3_real jump = n3_len(n3_sub(n[i], n[3 + i]));
+        if (n3i_is_zero(n[i]) || n3i_is_zero(n[3 + i])) jump = 0;
         if (r->jump_edge >= 0 && !(jump > r->jump)) continue;
         r->jump = jump;
         r->jump_edge = edge;
