@@ -2436,7 +2436,6 @@ NAGATA3_API void n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edge, n
     n3i_pair list[N3I_PAIRS];
     n3_vec e;
     int i, count;
-    memset(seam, 0, sizeof *seam);
     n3_mesh_edge_ends(m, t, edge, seam->point);
     if (n3i_order(n3i_point(m, seam->point[0]), n3i_point(m, seam->point[1])) > 0) {
         i = seam->point[0];
@@ -2445,6 +2444,7 @@ NAGATA3_API void n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edge, n
     }
     for (i = 0; i < 2; i++) seam->end[i].x = n3i_point(m, seam->point[i]);
     if (n3i_common_pair(m, t, edge, seam->point[0], list)) {
+        memset(seam->joint, 0, sizeof seam->joint);
         for (i = 0; i < 2; i++) seam->end[i].n = seam->joint[i].n = list->n[i];
         return;
     }
@@ -3036,12 +3036,25 @@ NAGATA3_API void n3i_lattices(const n3_patch *patch, int count, int level, int w
         if (!n3i_lane(ok, i)) n3i_plain_lattice(&patch[i], level, what, out + size * (size_t)i);
 }
 
+/* Asks for what will be written next: rows that lie apart would not come in time by themselves. No
+   more than half a first cache. */
+NAGATA3_API void n3i_fetch(const n3_vec *to, size_t count)
+{
+#if NAGATA3_SIMD
+    const char *at = (const char *)to, *end = at + (count < 512 ? count : 512) * sizeof *to;
+    for (; at < end; at += 64) __builtin_prefetch(at, 1);
+#else
+    (void)to, (void)count;
+#endif
+}
+
 NAGATA3_API void n3i_lattice_range(const n3_patch *patch, int first, int last, int level, int what,
                                    n3_vec *out)
 {
     size_t size = (size_t)n3i_inside(level + 3);
     for (; first < last; first += N3I_WIDTH, out += N3I_WIDTH * size) {
         int count = last - first < N3I_WIDTH ? last - first : N3I_WIDTH;
+        if (last - first >= 2 * N3I_WIDTH) n3i_fetch(out + N3I_WIDTH * size, N3I_WIDTH * size);
         n3i_lattices(patch + first, count, level, what, out);
     }
 }
