@@ -30,6 +30,17 @@ static n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v
     return n3_patch_point(&p, u, v);
 }
 
+int surface_on_square(const surface *s, int triangle, n3_real u, n3_real v, n3_jet *jet,
+                      n3_vec *normal)
+{
+    const brown_square *q = square_of(s, triangle);
+    if (!q) return 0;
+    to_square(s, triangle, &u, &v);
+    *jet = brown_jet(q, u, v);
+    *normal = brown_normal(q, u, v);
+    return 1;
+}
+
 n3_vec surface_normal(const surface *s, int triangle, n3_real u, n3_real v)
 {
     n3_patch p;

@@ -237,6 +237,7 @@ void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_r
     make_normals(path, m, cos_crease, s);
     s->path = path;
     s->rule = rule;
+    s->cos_crease = cos_crease;
     s->inferred = count_inferred(m);
     s->nodes = n3_mesh_nodes(&s->mesh, &s->topology);
     if (s->nodes < s->mesh.points) check(path, N3_BAD_COUNT, -1);
