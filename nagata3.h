@@ -69,6 +69,7 @@
  *     n3_mesh_normals     normals where there are none, parted at creases
  *     n3_mesh_net         the control points of all patches, each edge built once
  *     n3_mesh_patches     the patches; n3_mesh_refine: a finer mesh on them
+ *     n3_lattice_points   points on each patch; n3_patch_points: where they are wanted
  *     n3_mesh_cut         how fine it must be, edge by edge, to be within a distance
  *     n3_mesh_field       nodal values, carried to the finer mesh
  *     n3_mesh_report      what was found and what was done
@@ -3051,8 +3052,10 @@ NAGATA3_API void n3i_lattices(const n3_patch *patch, int count, int level, int w
         if (!n3i_lane(ok, i)) n3i_plain_lattice(&patch[i], level, what, out + size * (size_t)i);
 }
 
-/* Asks for what will be written next: rows that lie apart would not come in time by themselves. No
-   more than half a first cache. */
+/* Asks for what will be written next, no more than half a first cache: rows that lie apart would
+   not come in time by themselves. In a second cache, where this many vectors fit, they do. */
+enum { N3I_FETCHED = 16384 };
+
 NAGATA3_API void n3i_fetch(const n3_vec *to, size_t count)
 {
 #if NAGATA3_SIMD
@@ -3069,7 +3072,8 @@ NAGATA3_API void n3i_lattice_range(const n3_patch *patch, int first, int last, i
     size_t size = (size_t)n3i_inside(level + 3);
     for (; first < last; first += N3I_WIDTH, out += N3I_WIDTH * size) {
         int count = last - first < N3I_WIDTH ? last - first : N3I_WIDTH;
-        if (last - first >= 2 * N3I_WIDTH) n3i_fetch(out + N3I_WIDTH * size, N3I_WIDTH * size);
+        if ((size_t)(last - first) * size > N3I_FETCHED)
+            n3i_fetch(out + N3I_WIDTH * size, N3I_WIDTH * size);
         n3i_lattices(patch + first, count, level, what, out);
     }
 }
