@@ -70,6 +70,7 @@
  *     n3_mesh_normals     normals where there are none, parted at creases
  *     n3_mesh_net         the control points of all patches, each edge built once
  *     n3_mesh_patches     the patches; n3_mesh_refine: a finer mesh on them
+ *     n3_lattice_points   points on each patch; n3_patch_points: where they are wanted
  *     n3_mesh_cut         how fine it must be, edge by edge, to be within a distance
  *     n3_mesh_field       nodal values, carried to the finer mesh
  *     n3_mesh_report      what was found and what was done
@@ -737,18 +738,21 @@ NAGATA3_API void n3_edge_split(const n3_edge *e, n3_real t, n3_edge out[2])
 
 /* ---- Definitions: the patch ---- */
 
-NAGATA3_API n3_vec n3i_centre(const n3_vec p[10])
+/* Of the patch whose points are p[k[0]], p[k[1]] and so on. */
+NAGATA3_API n3_vec n3i_centre(const n3_vec *p, const int k[9])
 {
-    n3_vec p201_p021 = n3_add(p[4], p[7]), p012_p210 = n3_add(p[8], p[5]);
-    n3_vec p102_p120 = n3_add(p[3], p[6]), corners = n3_add(n3_add(p[0], p[1]), p[2]);
+    n3_vec p201_p021 = n3_add(p[k[4]], p[k[7]]), p012_p210 = n3_add(p[k[8]], p[k[5]]);
+    n3_vec p102_p120 = n3_add(p[k[3]], p[k[6]]);
+    n3_vec corners = n3_add(n3_add(p[k[0]], p[k[1]]), p[k[2]]);
     return n3_sub(n3i_over(n3_add(n3_add(p201_p021, p012_p210), p102_p120), 4),
                   n3i_over(corners, 6));                                           /* (6.1.10) */
 }
 
 NAGATA3_API n3_vec n3_patch_centre(const n3_edge *ab, const n3_edge *bc, const n3_edge *ca)
 {
+    static const int order[9] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
     n3_patch p = n3_patch_from_edges(ab, bc, ca, ab->p[0]);
-    return n3i_centre(p.p);
+    return n3i_centre(p.p, order);
 }
 
 /* (6.1.10) has quadratic precision only. In centred coordinates s an arc's own cubic is
@@ -2414,23 +2418,33 @@ NAGATA3_API n3i_joint n3i_joint_make(const n3i_pair *list, int count, int end, n
     return joint;
 }
 
-/* The one pair that all triangles of an edge name; false if they differ. */
-NAGATA3_API int n3i_common_pair(const n3_mesh *m, const n3_topology *t, int edge, int from,
-                                n3i_pair *p)
+/* The ends of an edge whose triangles all name the same normals, in canonical order, by place, then
+   by number; false if they differ. */
+NAGATA3_API int n3i_common_ends(const n3_mesh *m, const n3_topology *t, int edge, int point[2],
+                                n3_vertex end[2])
 {
-    int i, name[2] = {-1, -1};
-    for (i = t->first[edge]; i < t->first[edge + 1]; i++) {
-        int s = t->side[i], back = n3i_at(m, s) != from;
-        int here = n3i_normal_at(m, s), next = n3i_normal_at(m, n3i_after(s));
-        if (i > t->first[edge] && (here != name[back] || next != name[!back])) return 0;
-        name[back] = here;
-        name[!back] = next;
+    int i = t->first[edge], s = t->side[i], next = n3i_after(s), order;
+    int a = n3i_at(m, s), b = n3i_at(m, next), c = n3i_normal_at(m, s), d = n3i_normal_at(m, next);
+    n3_vec x = n3i_point(m, a), y = n3i_point(m, b);
+    for (i++; i < t->first[edge + 1]; i++) {
+        s = t->side[i];
+        next = n3i_after(s);
+        order = n3i_at(m, s) == a;
+        if (n3i_normal_at(m, order ? s : next) != c || n3i_normal_at(m, order ? next : s) != d)
+            return 0;
     }
-    for (i = 0; i < 2; i++) p->n[i] = n3i_normal_named(m, name[i]);
+    order = n3i_order(x, y);
+    i = order > 0 || (order == 0 && a > b);
+    point[i] = a;
+    point[!i] = b;
+    end[i].x = x;
+    end[!i].x = y;
+    end[i].n = n3i_normal_named(m, c);
+    end[!i].n = n3i_normal_named(m, d);
     return 1;
 }
 
-/* An edge of the mesh with its ends in canonical order, by place, then by number. */
+/* An edge of the mesh with its ends in canonical order. */
 typedef struct n3i_seam { int point[2]; n3_vertex end[2]; n3i_joint joint[2]; } n3i_seam;
 
 NAGATA3_API void n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edge, n3i_seam *seam)
@@ -2438,7 +2452,11 @@ NAGATA3_API void n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edge, n
     n3i_pair list[N3I_PAIRS];
     n3_vec e;
     int i, count;
-    memset(seam, 0, sizeof *seam);
+    memset(seam->joint, 0, sizeof seam->joint);
+    if (n3i_common_ends(m, t, edge, seam->point, seam->end)) {
+        for (i = 0; i < 2; i++) seam->joint[i].n = seam->end[i].n;
+        return;
+    }
     n3_mesh_edge_ends(m, t, edge, seam->point);
     if (n3i_order(n3i_point(m, seam->point[0]), n3i_point(m, seam->point[1])) > 0) {
         i = seam->point[0];
@@ -2446,10 +2464,6 @@ NAGATA3_API void n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edge, n
         seam->point[1] = i;
     }
     for (i = 0; i < 2; i++) seam->end[i].x = n3i_point(m, seam->point[i]);
-    if (n3i_common_pair(m, t, edge, seam->point[0], list)) {
-        for (i = 0; i < 2; i++) seam->end[i].n = seam->joint[i].n = list->n[i];
-        return;
-    }
     e = n3_unit(n3_sub(seam->end[1].x, seam->end[0].x));
     count = n3i_collect(m, t, edge, seam->point[0], list);
     for (i = 0; i < 2; i++) {
@@ -2643,9 +2657,10 @@ NAGATA3_API n3_vec n3i_mesh_centre(const n3_mesh *m, const n3_topology *t, const
     n3_edge e[3];
     n3_patch p;
     n3_vec n[3], mid[3];
-    int i;
-    n3_mesh_patches(m, t, net, triangle, triangle + 1, &p);
-    if (!n3i_is_arc(o)) return n3i_centre(p.p);
+    int i, node[10];
+    n3_mesh_patch_nodes(m, t, triangle, node);
+    if (!n3i_is_arc(o)) return n3i_centre(net, node);
+    for (i = 0; i < 10; i++) p.p[i] = net[node[i]];
     n3_patch_edges(&p, e);
     for (i = 0; i < 3; i++) n[i] = n3i_corner_normal(m, 3 * triangle + i);
     if (o->rule != N3_RULE_FIT) return n3_patch_centre_arc(&e[0], &e[1], &e[2], n, NULL);
@@ -2653,9 +2668,9 @@ NAGATA3_API n3_vec n3i_mesh_centre(const n3_mesh *m, const n3_topology *t, const
     return n3_patch_centre_arc(&e[0], &e[1], &e[2], n, mid);
 }
 
-/* The two inner control points of seams. The wide form writes eight numbers of each. */
-NAGATA3_API void n3i_seam_points(const n3i_seam seam[N3I_WIDTH], const n3_options *given,
-                                 n3_vec out[N3I_WIDTH][3])
+/* The two inner control points of edges, by ends; the wide form writes eight numbers of each. */
+NAGATA3_API n3i_mask n3i_edge_points(n3_vertex end[N3I_WIDTH][2], const n3_options *given,
+                                     n3_vec out[N3I_WIDTH][3])
 {
     const n3_real *from[N3I_WIDTH];
     n3_real *to[N3I_WIDTH];
@@ -2664,37 +2679,38 @@ NAGATA3_API void n3i_seam_points(const n3i_seam seam[N3I_WIDTH], const n3_option
     n3i_wide_vec p[3];
     n3i_mask ok;
     int i;
-    for (i = 0; i < N3I_WIDTH; i++) from[i] = &seam[i].end[0].x.x;
+    for (i = 0; i < N3I_WIDTH; i++) from[i] = &end[i][0].x.x;
     for (i = 0; i < N3I_WIDTH; i++) to[i] = &out[i][0].x;
     n3i_load(from, 12, &v[0].x.x);
     ok = n3i_is_arc(&o) ? n3i_wide_edge_arc(v[0], v[1], p) : n3i_wide_edge_paper(v[0], v[1], &o, p);
     p[2] = p[0];
     n3i_store(&p[0].x, 8, to);
-    for (i = 0; i < N3I_WIDTH; i++) {
-        n3_edge e;
-        if (n3i_lane(ok, i) && !(seam[i].joint[0].share > 0) && !(seam[i].joint[1].share > 0))
-            continue;
-        e = n3i_seam_edge(&seam[i], given);
-        out[i][0] = e.p[1];
-        out[i][1] = e.p[2];
-    }
+    return ok;
 }
 
 NAGATA3_API void n3_mesh_edges(const n3_mesh *m, const n3_topology *t, const n3_options *o,
                                int first, int last, n3_vec *net, unsigned *flags)
 {
-    n3i_seam seam[N3I_WIDTH];
+    n3_vertex end[N3I_WIDTH][2];
     n3_vec p[N3I_WIDTH][3];
-    int i, edge;
+    int i, k, common[N3I_WIDTH], point[N3I_WIDTH][2];
+    memset(end, 0, sizeof end);
     for (; first < last; first += N3I_WIDTH) {
-        int count = last - first < N3I_WIDTH ? last - first : N3I_WIDTH;
-        for (i = 0; i < N3I_WIDTH; i++) n3i_seam_of(m, t, i < count ? first + i : first, &seam[i]);
-        n3i_seam_points(seam, o, p);
-        for (i = 0, edge = first; i < count; i++, edge++) {
-            int back = seam[i].point[0] > seam[i].point[1];
-            net[m->points + 2 * edge + back] = p[i][0];
-            net[m->points + 2 * edge + !back] = p[i][1];
-            if (flags) flags[edge] = n3i_seam_flags(&seam[i], o) | n3i_face_flags(m, t, edge);
+        n3i_mask ok;
+        for (i = 0; i < N3I_WIDTH; i++)
+            common[i] = n3i_common_ends(m, t, first + i < last ? first + i : first, point[i], end[i]);
+        ok = n3i_edge_points(end, o, p);
+        for (i = 0; i < N3I_WIDTH && first + i < last; i++) {
+            n3_vec *out = net + m->points + 2 * (first + i);
+            n3i_seam seam;
+            n3_edge e;
+            int exact = common[i] && n3i_lane(ok, i);
+            if (flags || !exact) n3i_seam_of(m, t, first + i, &seam);
+            if (flags) flags[first + i] = n3i_seam_flags(&seam, o) | n3i_face_flags(m, t, first + i);
+            if (!exact) e = n3i_seam_edge(&seam, o);
+            k = exact ? point[i][0] > point[i][1] : seam.point[0] > seam.point[1];
+            out[k] = exact ? p[i][0] : e.p[1];
+            out[!k] = exact ? p[i][1] : e.p[2];
         }
     }
 }
@@ -3038,12 +3054,28 @@ NAGATA3_API void n3i_lattices(const n3_patch *patch, int count, int level, int w
         if (!n3i_lane(ok, i)) n3i_plain_lattice(&patch[i], level, what, out + size * (size_t)i);
 }
 
+/* Asks for what will be written next, no more than half a first cache: rows that lie apart would
+   not come in time by themselves. In a second cache, where this many vectors fit, they do. */
+enum { N3I_FETCHED = 16384 };
+
+NAGATA3_API void n3i_fetch(const n3_vec *to, size_t count)
+{
+#if NAGATA3_SIMD
+    const char *at = (const char *)to, *end = at + (count < 512 ? count : 512) * sizeof *to;
+    for (; at < end; at += 64) __builtin_prefetch(at, 1);
+#else
+    (void)to, (void)count;
+#endif
+}
+
 NAGATA3_API void n3i_lattice_range(const n3_patch *patch, int first, int last, int level, int what,
                                    n3_vec *out)
 {
     size_t size = (size_t)n3i_inside(level + 3);
     for (; first < last; first += N3I_WIDTH, out += N3I_WIDTH * size) {
         int count = last - first < N3I_WIDTH ? last - first : N3I_WIDTH;
+        if ((size_t)(last - first) * size > N3I_FETCHED)
+            n3i_fetch(out + N3I_WIDTH * size, N3I_WIDTH * size);
         n3i_lattices(patch + first, count, level, what, out);
     }
 }
