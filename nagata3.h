@@ -294,7 +294,7 @@ NAGATA3_API n3_vec n3_curve_plane(n3_vertex a, n3_vertex b);
    Exactly n3_edge_reverse of the edge from b to a. Tangent to both tangent planes to 8 ulp, but at
    an end that counts as along the chord, whose tangent is square to the chord. No handle is longer
    than 4/3 of the chord (arc: 2/3, to rounding), whatever the normals.
-   200 flops, 60 divisions, 12 square roots; arc: 170, 53, 9. */
+   170 flops, 36 divisions, 6 square roots; arc: 130, 22, 3. */
 NAGATA3_API n3_edge n3_edge_make(n3_vertex a, n3_vertex b, const n3_options *o);
 
 /* Point of the curve at t, any real; in [0, 1] it runs from p[0] to p[3]: (5.1.1).
@@ -333,7 +333,7 @@ NAGATA3_API n3_patch n3_patch_from_edges(const n3_edge *ab, const n3_edge *bc, c
 
 /* The patch over the triangle a, b, c: three edges and a centre by the rule. A patch alone has no
    neighbours to fit to: N3_RULE_FIT is the arc rule here. Corners given in another order give the
-   same edges, bit for bit, and the same centre to 4 ulp (arc: 8). 640 flops, 190 divisions, 36
+   same edges, bit for bit, and the same centre to 4 ulp (arc: 8). 550 flops, 114 divisions, 18
    square roots. */
 NAGATA3_API n3_patch n3_patch_make(n3_vertex a, n3_vertex b, n3_vertex c, const n3_options *o);
 
@@ -407,20 +407,36 @@ NAGATA3_API n3_real n3_len(n3_vec a)
     return s * n3i_sqrt(n3_dot(a, a));
 }
 
+/* n3_unit and n3_len of one vector. */
+NAGATA3_API n3_vec n3i_direction(n3_vec a, n3_real *length)
+{
+    n3_real s = n3i_largest(a), r;
+    *length = s + a.x + a.y + a.z; /* 0, or NaN */
+    if (!(s > 0)) return n3_mul(*length, a);
+    a = n3i_over(a, s);
+    r = n3i_sqrt(n3_dot(a, a));
+    *length = s * r;
+    return n3i_over(a, r);
+}
+
 NAGATA3_API n3_vec n3_unit(n3_vec a)
 {
-    n3_real s = n3i_largest(a);
-    if (!(s > 0)) return n3_mul(n3_len(a), a); /* zero, or NaN throughout */
-    a = n3i_over(a, s);
-    return n3i_over(a, n3i_sqrt(n3_dot(a, a)));
+    n3_real length;
+    return n3i_direction(a, &length);
+}
+
+/* True if n is zero or lies along the unit vector e. */
+NAGATA3_API int n3i_is_along(n3_vec e, n3_vec n)
+{
+    n3_vec m = n3_cross(e, n);
+    return n3_dot(m, m) <= N3_ALONG * N3_ALONG;
 }
 
 /* e x n, unit: the normal of the plane through the unit chord e perpendicular to the tangent plane
    of n. Zero when n is zero or lies along e. */
 NAGATA3_API n3_vec n3i_upright(n3_vec e, n3_vec n)
 {
-    n3_vec m = n3_cross(e, n);
-    return n3_dot(m, m) <= N3_ALONG * N3_ALONG ? n3_v(0, 0, 0) : n3_unit(m);
+    return n3i_is_along(e, n) ? n3_v(0, 0, 0) : n3_unit(n3_cross(e, n));
 }
 
 /* The part of n across the unit vector e, unit; zero when n is zero or lies along e. */
@@ -565,7 +581,7 @@ NAGATA3_API n3i_end n3i_end_make(n3_vec n, n3_vec e, n3_vec b, const n3_options 
     n3i_end t;
     t.cos = t.sin = 0;
     t.tan = o->tan_hi;
-    t.along = n3i_is_zero(n3i_upright(e, n));
+    t.along = n3i_is_along(e, n);
     if (t.along) return t;
     if (n3i_abs(ne) < o->tan_hi * n3i_abs(nb)) t.tan = n3i_abs(ne / nb);           /* (5.1.12) */
     t.tan = n3i_larger(t.tan, o->tan_lo);                                          /* (5.1.11) */
@@ -589,12 +605,12 @@ NAGATA3_API n3_edge n3i_edge_straight(n3_vec x0, n3_vec x1)
     return n3i_edge_of(x0, n3_add(x0, third), n3_sub(x1, third), x1);
 }
 
-/* m: unit normal of Pi. An end whose normal lies along the chord starts at 90 degrees on the side
+/* e, L: the chord's direction and length. An end whose normal lies along the chord starts at 90 degrees on the side
    from which the other end comes down. */
-NAGATA3_API n3_edge n3i_edge_paper(n3_vertex v0, n3_vertex v1, n3_vec m, const n3_options *o)
+NAGATA3_API n3_edge n3i_edge_paper(n3_vertex v0, n3_vertex v1, n3_vec e, n3_real L,
+                                   const n3_options *o)
 {
-    n3_vec d = n3_sub(v1.x, v0.x), e = n3_unit(d), b = n3_cross(m, e), ts, te;
-    n3_real L = n3_len(d);
+    n3_vec m = n3i_plane(e, v0.n, v1.n), b = n3_cross(m, e), ts, te;
     n3i_end s = n3i_end_make(v0.n, e, b, o), t = n3i_end_make(v1.n, e, b, o);
     n3_real ds = n3i_handle(s, t, L);                                              /* (5.1.13) */
     n3_real de = n3i_handle(t, s, L);                                              /* (5.1.14) */
@@ -619,8 +635,9 @@ NAGATA3_API n3_vec n3i_off(n3_vec a, n3_vec n) { return n3_sub(a, n3_mul(n3_dot(
 NAGATA3_API n3_edge n3i_edge_arc(n3_vertex v0, n3_vertex v1)
 {
     n3_vec d = n3_sub(v1.x, v0.x), turn = n3_sub(v1.n, v0.n), sum = n3_add(v0.n, v1.n);
-    n3_vec m = n3_unit(sum), q, hs, he;
-    n3_real g = n3_dot(d, turn), k = 1 / (1 + n3_len(sum) / 2);
+    n3_real length, g = n3_dot(d, turn), k;
+    n3_vec m = n3i_direction(sum, &length), q, hs, he;
+    k = 1 / (1 + length / 2);
     q = n3_sub(n3_sub(d, n3_mul(n3_dot(d, m), m)), n3_mul(g * k * k / 4, turn));
     m = n3_mul(g * k, m);
     hs = n3i_off(n3i_over(n3_add(q, m), 3), v0.n);
@@ -653,13 +670,13 @@ NAGATA3_API int n3i_is_arc(const n3_options *o)
 NAGATA3_API n3_edge n3i_edge_sorted(n3_vertex a, n3_vertex b, const n3_options *given)
 {
     n3_options o = n3i_defaults(given);
-    n3_vec e = n3_unit(n3_sub(b.x, a.x)), m;
+    n3_real L;
+    n3_vec e = n3i_direction(n3_sub(b.x, a.x), &L);
     if (n3i_is_zero(a.n)) a.n = n3i_across(b.n, e);
     else if (n3i_is_zero(b.n)) b.n = n3i_across(a.n, e);
-    m = n3i_plane(e, a.n, b.n);
-    if (n3i_is_zero(m)) return n3i_edge_straight(a.x, b.x);
+    if (n3i_is_along(e, a.n) && n3i_is_along(e, b.n)) return n3i_edge_straight(a.x, b.x);
     if (n3i_is_arc(&o) && !(n3_len(n3_add(a.n, b.n)) <= N3_OPPOSITE)) return n3i_edge_arc(a, b);
-    return n3i_edge_paper(a, b, m, &o);
+    return n3i_edge_paper(a, b, e, L, &o);
 }
 
 NAGATA3_API n3_edge n3_edge_make(n3_vertex a, n3_vertex b, const n3_options *o)
@@ -1140,6 +1157,16 @@ NAGATA3_API n3_status n3_mesh_refine(const n3_mesh *m, const n3_topology *t, con
                                      int level, n3_vec *point, int *triangle, n3_vec *normal,
                                      int *corner, int *parent, n3_real *uv);
 
+/* Its parts, for callers that share the work out: the points on the edges first up to but not with
+   last; and, of the triangles first up to but not with last, the points inside, the triangles, the
+   normals and their corners, all into their places. The first points are the net's. Nothing is
+   checked; n3_mesh_refine says what is. */
+NAGATA3_API void n3_mesh_refine_edges(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                      int level, int first, int last, n3_vec *point);
+NAGATA3_API void n3_mesh_refine_triangles(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                          int level, int first, int last, n3_vec *point,
+                                          int *triangle, n3_vec *normal, int *corner);
+
 /* Nodal values carried to new points with the parameters that n3_mesh_refine gave them.
    degree 1: nodal has a row of components numbers for each point. 2: then one for the middle of
    each edge. 3: then instead two for the thirds of each edge, the one next to the lower point
@@ -1206,6 +1233,16 @@ NAGATA3_API void n3_lattice_normals(const n3_patch *patch, int first, int last, 
 /* The triangles between these points, level^2 for each patch, 3 indices each, which count from the
    first point of patch 0. */
 NAGATA3_API void n3_lattice_triangles(int first, int last, int level, int *triangle);
+
+/* At the parameters uv[2 i] and uv[2 i + 1] of the patch parent[i], as n3_mesh_refine gives them:
+   n3_patch_point and n3_patch_jet, bit for bit, and the normal as n3_lattice_normals has it.
+   parent and uv are the whole arrays; every parent must be a patch. */
+NAGATA3_API void n3_patch_points(const n3_patch *patch, const int *parent, const n3_real *uv,
+                                 int first, int last, n3_vec *point);
+NAGATA3_API void n3_patch_jets(const n3_patch *patch, const int *parent, const n3_real *uv,
+                               int first, int last, n3_jet *jet);
+NAGATA3_API void n3_patch_normals(const n3_patch *patch, const int *parent, const n3_real *uv,
+                                  int first, int last, n3_vec *normal);
 
 /* ---- Report ---- */
 
@@ -1944,7 +1981,7 @@ NAGATA3_API n3_status n3_mesh_normals(const n3_mesh *m, const n3_topology *t, n3
 #define N3I_WIDE_API NAGATA3_API __attribute__((always_inline))
 #define N3I_UNROLL   _Pragma("GCC unroll 8")
 typedef n3_real n3i_wide __attribute__((vector_size(N3I_BYTES)));
-__extension__ typedef N3I_PICK(long long, int) n3i_mask __attribute__((vector_size(N3I_BYTES)));
+typedef __typeof__(*(n3i_wide *)0 > *(n3i_wide *)0) n3i_mask; /* integers of the same size */
 #else
 #define N3I_WIDE_API NAGATA3_API
 #define N3I_UNROLL
@@ -2220,6 +2257,62 @@ N3I_WIDE_API n3i_mask n3i_wide_edge_arc(n3i_wide_vertex v0, n3i_wide_vertex v1, 
     p[0] = n3i_wide_add(v0.x, n3i_wide_off(d, v0.n));
     p[1] = n3i_wide_sub(v1.x, n3i_wide_off(e, v1.n));
     return ok;
+}
+
+/* n3i_centre_cubic, from (6.1.10). */
+N3I_WIDE_API n3i_wide_vec n3i_wide_centre_cubic(const n3i_wide_vec p[9], const n3i_wide_vec n[3],
+                                                n3i_mask *ok)
+{
+    n3i_wide_vec corners = n3i_wide_add(n3i_wide_add(p[0], p[1]), p[2]), centre, x[3], v[3], mean;
+    n3i_wide K = n3i_wide_of(-(n3_real)3 / 64), three = n3i_wide_of(3), k, length;
+    int i;
+    centre = n3i_wide_add(n3i_wide_add(n3i_wide_add(p[4], p[7]), n3i_wide_add(p[8], p[5])),
+                          n3i_wide_add(p[3], p[6]));
+    centre = n3i_wide_sub(n3i_wide_over(centre, n3i_wide_of(4)),
+                          n3i_wide_over(corners, n3i_wide_of(6)));                 /* (6.1.10) */
+    mean = n3i_wide_over(corners, three);
+    for (i = 0; i < 3; i++) x[i] = n3i_wide_sub(p[i], mean);
+    mean = n3i_wide_over(n3i_wide_add(n3i_wide_add(n[0], n[1]), n[2]), three);
+    for (i = 0; i < 3; i++) v[i] = n3i_wide_sub(n[i], mean);
+    for (i = 0; i < 3; i++) {
+        n3i_wide_unit(n3i_wide_add(n[i], n[(i + 1) % 3]), &length, ok);
+        k = 1 / (1 + length / 2);
+        K += 3 * k * k / 16;
+    }
+    for (i = 0; i < 3; i++) {
+        int j = (i + 1) % 3;
+        n3i_wide A = n3i_wide_dot(x[i], v[j]) + n3i_wide_dot(x[j], v[i]);
+        centre = n3i_wide_sub(centre, n3i_wide_mul(K * A / 2, v[(i + 2) % 3]));
+    }
+    return centre;
+}
+
+/* n3_patch_centre_arc. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_centre_arc(const n3i_wide_vec p[9], const n3i_wide_vec n[3],
+                                              const n3i_wide_vec mid[3], n3i_mask *ok)
+{
+    n3i_wide_vec N = n3i_wide_add(n3i_wide_add(n[0], n[1]), n[2]);
+    n3i_wide_vec C = n3i_wide_centre_cubic(p, n, ok);
+    n3i_wide eighth = n3i_wide_of((n3_real)1 / 8), low, rc = 0 * eighth, cc = rc, length;
+    int i;
+    low = (n3_real)3 / 4 * n3i_wide_larger(n3i_wide_dot(N, N), eighth / 2);
+    for (i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        n3i_wide_vec p1 = p[3 + 2 * i], p2 = p[4 + 2 * i], x, facing, t, ne;
+        x = n3i_wide_add(
+            n3i_wide_add(n3i_wide_mul(eighth, p[i]), n3i_wide_mul(3 * eighth, p1)),
+            n3i_wide_add(n3i_wide_mul(3 * eighth, p2), n3i_wide_mul(eighth, p[j])));
+        facing = n3i_wide_add(p[3 + 2 * j], p[4 + 2 * k]);
+        facing = n3i_wide_mul(4 * eighth, facing);
+        x = n3i_wide_sub(n3i_wide_sub(n3i_wide_add(x, x), facing), C);
+        t = n3i_wide_add(n3i_wide_sub(p[j], p[i]), n3i_wide_sub(p2, p1));
+        t = n3i_wide_unit(t, &length, ok);
+        ne = n3i_wide_upright(t, n3i_wide_unit(mid[i], &length, ok), ok);
+        ne = n3i_wide_cross(ne, t);
+        rc += n3i_wide_dot(ne, x) * n3i_wide_dot(ne, N);
+        cc += n3i_wide_dot(ne, N) * n3i_wide_dot(ne, N);
+    }
+    return n3i_wide_add(C, n3i_wide_mul(rc / n3i_wide_larger(cc, low), N));
 }
 
 /* ---- Definitions: the net ---- */
@@ -2604,14 +2697,45 @@ NAGATA3_API void n3_mesh_edges(const n3_mesh *m, const n3_topology *t, const n3_
     }
 }
 
+/* Centres of the arc rule, of triangles first up to last, at most N3I_WIDTH. The rows are those of
+   n3i_wide_centre_arc: the sides' control points, the normals of the corners, and of the sides. */
+NAGATA3_API void n3i_arc_centres(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+                                 int first, int last, n3_vec *net)
+{
+    n3_vec row[N3I_WIDTH][15], *centre = net + m->points + 2 * t->edges;
+    const n3_real *from[N3I_WIDTH];
+    n3_real *to[N3I_WIDTH];
+    n3i_wide_vec v[15];
+    n3i_mask ok;
+    int i, k, node[10];
+    for (i = 0; i < N3I_WIDTH; i++) {
+        int f = first + i < last ? first + i : first;
+        n3_mesh_patch_nodes(m, t, f, node);
+        for (k = 0; k < 9; k++) row[i][k] = net[node[k]];
+        for (k = 0; k < 3; k++) row[i][9 + k] = n3i_corner_normal(m, 3 * f + k);
+        for (k = 0; k < 3; k++)
+            row[i][12 + k] = o->rule == N3_RULE_FIT
+                                 ? n3i_side_mid(m, t, 3 * f + k)
+                                 : n3_add(row[i][9 + k], row[i][9 + (k + 1) % 3]);
+        from[i] = &row[i][0].x;
+        to[i] = &centre[f].x;
+    }
+    n3i_load(from, 45, &v[0].x);
+    ok = (n3i_mask)(v[0].x <= v[0].x);
+    v[0] = n3i_wide_centre_arc(v, v + 9, v + 12, &ok);
+    n3i_store(&v[0].x, 3, to);
+    for (i = 0; i < N3I_WIDTH && first + i < last; i++)
+        if (!n3i_lane(ok, i)) centre[first + i] = n3i_mesh_centre(m, t, o, net, first + i);
+}
+
 NAGATA3_API void n3_mesh_centres(const n3_mesh *m, const n3_topology *t, const n3_options *o,
                                  int first, int last, n3_vec *net)
 {
     n3_vec *centre = net + m->points + 2 * t->edges;
-    for (; first < last; first++) {
-        centre[first] = n3_v(0, 0, 0);
-        centre[first] = n3i_mesh_centre(m, t, o, net, first);
-    }
+    memset(centre + first, 0, (size_t)(last - first) * sizeof *centre); /* they are read */
+    for (; n3i_is_arc(o) && first < last; first += N3I_WIDTH)
+        n3i_arc_centres(m, t, o, first, last - first < N3I_WIDTH ? last : first + N3I_WIDTH, net);
+    for (; first < last; first++) centre[first] = n3i_mesh_centre(m, t, o, net, first);
 }
 
 NAGATA3_API int n3_mesh_nodes(const n3_mesh *m, const n3_topology *t)
@@ -2812,25 +2936,46 @@ N3I_WIDE_API n3i_mask n3i_wide_lattice(const n3i_wide_vec q[10], int level, int 
     return ok;
 }
 
-/* In a patch of size 1 a normal du x dv that is longer is made by the wide form: its direction has
+/* One over the size of the patch, the root of the sum of squares of the ways from p003. */
+N3I_WIDE_API n3i_wide n3i_wide_inverse_size(const n3i_wide_vec q[10], n3i_mask *ok)
+{
+    n3i_wide size = n3i_wide_of(0);
+    n3i_mask some;
+    int i;
+    for (i = 1; i < 10; i++) {
+        n3i_wide_vec d = n3i_wide_sub(q[i], q[0]);
+        size += n3i_wide_dot(d, d);
+    }
+    some = (n3i_mask)(size > 0);
+    *ok &= some;
+    return 1 / n3i_wide_sqrt(n3i_pick(some, size, n3i_wide_of(1)));
+}
+
+/* In a patch of this size 1 a product du x dv that is longer makes the normal: its direction has
    half its digits (float: two thirds) at least. */
 #define N3I_CLEAR (N3I_PICK((n3_real)1 / 1048576, (n3_real)1 / 512))
+
+/* The unit normal where du x dv is longer than clear; others are not ok. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_normal(n3i_wide_vec du, n3i_wide_vec dv, n3_real clear,
+                                          n3i_mask *ok)
+{
+    n3i_wide_vec n = n3i_wide_cross(du, dv);
+    n3i_wide nn = n3i_wide_dot(n, n);
+    n3i_mask is_clear = (n3i_mask)(nn > clear * clear);
+    *ok &= is_clear;
+    return n3i_wide_mul(1 / n3i_wide_sqrt(n3i_pick(is_clear, nn, n3i_wide_of(1))), n);
+}
 
 /* The normals of a lattice, in the same rows. */
 N3I_WIDE_API n3i_mask n3i_wide_normals(const n3i_wide_vec q[10], int level, n3i_sink *sink)
 {
     n3i_wide_vec c[10], du[2], dv[2], s, t;
-    n3i_wide one = n3i_wide_of(1), size = n3i_wide_of(0), u, v = size, nn, *at = sink->held;
-    n3_real h = 1 / (n3_real)level, clear = N3I_CLEAR * h * h;
-    n3i_mask ok;
+    n3i_wide one = n3i_wide_of(1), u, v = 0 * one, size, *at = sink->held;
+    n3_real h = 1 / (n3_real)level;
+    n3i_mask ok = (n3i_mask)(one > 0);
     int i, j;
     n3i_wide_powers(q, h, c);
-    for (i = 1; i < 10; i++) {
-        s = n3i_wide_sub(q[i], q[0]);
-        size += n3i_wide_dot(s, s);
-    }
-    ok = (n3i_mask)(size > 0);
-    size = 1 / n3i_wide_sqrt(n3i_pick(ok, size, one));
+    size = n3i_wide_inverse_size(q, &ok);
     for (i = 1; i < 10; i++) c[i] = n3i_wide_mul(size, c[i]);
     for (j = 0; j <= level; j++, v += one) {
         du[0] = n3i_wide_step(n3i_wide_step(c[8], v, c[5]), v, c[1]);
@@ -2840,18 +2985,15 @@ N3I_WIDE_API n3i_mask n3i_wide_normals(const n3i_wide_vec q[10], int level, n3i_
         for (i = 0, u = 0 * one; i <= level - j; i++, u += one) {
             s = n3i_wide_step(n3i_wide_step(c[3], 3 * u, du[1]), u, du[0]);
             t = n3i_wide_step(n3i_wide_step(c[6], u, dv[1]), u, dv[0]);
-            s = n3i_wide_cross(s, t);
-            nn = n3i_wide_dot(s, s);
-            ok &= (n3i_mask)(nn > clear * clear);
-            at = n3i_put(sink, at, n3i_wide_mul(1 / n3i_wide_sqrt(n3i_pick(ok, nn, one)), s));
+            at = n3i_put(sink, at, n3i_wide_normal(s, t, N3I_CLEAR * h * h, &ok));
         }
     }
     n3i_flush(sink, at);
     return ok;
 }
 
-/* What is wanted of a lattice: its points, those inside, or its normals. */
-enum { N3I_POINTS, N3I_INSIDE, N3I_NORMALS };
+/* What is wanted: points, of a lattice those inside it, normals, jets. */
+enum { N3I_POINTS, N3I_INSIDE, N3I_NORMALS, N3I_JETS };
 
 /* What the wide form left out. */
 NAGATA3_API void n3i_plain_lattice(const n3_patch *p, int level, int what, n3_vec *out)
@@ -2934,7 +3076,149 @@ NAGATA3_API void n3_lattice_triangles(int first, int last, int level, int *trian
             }
 }
 
+/* w a + u b + v c */
+N3I_WIDE_API n3i_wide_vec n3i_wide_mix(n3i_wide w, n3i_wide_vec a, n3i_wide u, n3i_wide_vec b,
+                                       n3i_wide v, n3i_wide_vec c)
+{
+    return n3i_wide_add(n3i_wide_add(n3i_wide_mul(w, a), n3i_wide_mul(u, b)), n3i_wide_mul(v, c));
+}
+
+/* n3_patch_point off the sides; on them a lane is not ok. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_point(const n3i_wide_vec q[10], n3i_wide u, n3i_wide v,
+                                         n3i_mask *ok)
+{
+    n3i_wide w = 1 - u - v;
+    n3i_wide_vec corners = n3i_wide_mix(w * w * w, q[0], u * u * u, q[1], v * v * v, q[2]);
+    n3i_wide_vec ab = n3i_wide_add(n3i_wide_mul(3 * u * w * w, q[3]),
+                                   n3i_wide_mul(3 * u * u * w, q[4]));
+    n3i_wide_vec bc = n3i_wide_add(n3i_wide_mul(3 * u * u * v, q[5]),
+                                   n3i_wide_mul(3 * u * v * v, q[6]));
+    n3i_wide_vec ca = n3i_wide_add(n3i_wide_mul(3 * v * v * w, q[7]),
+                                   n3i_wide_mul(3 * v * w * w, q[8]));
+    *ok &= ((n3i_mask)(u < 0) | (n3i_mask)(u > 0)) & ((n3i_mask)(v < 0) | (n3i_mask)(v > 0)) &
+           ((n3i_mask)(w < 0) | (n3i_mask)(w > 0));
+    return n3i_wide_add(n3i_wide_add(corners, n3i_wide_mul(6 * u * v * w, q[9])),
+                        n3i_wide_add(n3i_wide_add(ab, bc), ca));                    /* (5.2.1) */
+}
+
+/* n3_patch_jet, but for the point. */
+typedef struct n3i_wide_jet { n3i_wide_vec x, du, dv, duu, duv, dvv; } n3i_wide_jet;
+
+N3I_WIDE_API n3i_wide_jet n3i_wide_jet_at(const n3i_wide_vec p[10], n3i_wide u, n3i_wide v)
+{
+    n3i_wide w = 1 - u - v, three = n3i_wide_of(3), six = n3i_wide_of(6);
+    n3i_wide_vec q[10], r002, r200, r020, r101, r110, r011, pw;
+    n3i_wide_jet j;
+    int i;
+    for (i = 0; i < 10; i++) q[i] = n3i_wide_sub(p[i], p[0]);
+    r002 = n3i_wide_mix(w, q[0], u, q[3], v, q[8]);
+    r200 = n3i_wide_mix(w, q[4], u, q[1], v, q[5]);
+    r020 = n3i_wide_mix(w, q[7], u, q[6], v, q[2]);
+    r101 = n3i_wide_mix(w, q[3], u, q[4], v, q[9]);
+    r110 = n3i_wide_mix(w, q[9], u, q[5], v, q[6]);
+    r011 = n3i_wide_mix(w, q[8], u, q[9], v, q[7]);
+    pw = n3i_wide_mix(w, r002, u, r101, v, r011);
+    j.x = p[0];
+    j.du = n3i_wide_mul(three, n3i_wide_sub(n3i_wide_mix(w, r101, u, r200, v, r110), pw));
+    j.dv = n3i_wide_mul(three, n3i_wide_sub(n3i_wide_mix(w, r011, u, r110, v, r020), pw));
+    j.duu = n3i_wide_sub(r002, r101);
+    j.dvv = n3i_wide_sub(r002, r011);
+    j.duv = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r110, r101), j.dvv));
+    j.duu = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r200, r101), j.duu));
+    j.dvv = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r020, r011), j.dvv));
+    return j;
+}
+
+/* What is wanted of N3I_WIDTH points: the point, the jet, or the normal, as numbers of a row. */
+N3I_WIDE_API n3i_mask n3i_wide_at(const n3i_wide_vec q[10], n3i_wide u, n3i_wide v, int what,
+                                  n3_real *const to[N3I_WIDTH])
+{
+    n3i_wide size;
+    n3i_mask ok = (n3i_mask)(u <= u);
+    n3i_wide_jet j;
+    if (what != N3I_POINTS) j = n3i_wide_jet_at(q, u, v);
+    if (what == N3I_NORMALS) {
+        size = n3i_wide_inverse_size(q, &ok);
+        j.x = n3i_wide_normal(n3i_wide_mul(size, j.du), n3i_wide_mul(size, j.dv), N3I_CLEAR, &ok);
+    } else {
+        j.x = n3i_wide_point(q, u, v, &ok);
+    }
+    n3i_store(&j.x.x, what == N3I_JETS ? 18 : 3, to);
+    return ok;
+}
+
+/* The plain form, into a row. */
+NAGATA3_API void n3i_plain_at(const n3_patch *p, const n3_real *uv, int what, n3_real *row)
+{
+    n3_jet j;
+    if (what == N3I_JETS) j = n3_patch_jet(p, uv[0], uv[1]);
+    else if (what == N3I_NORMALS) j.x = n3_patch_normal(p, uv[0], uv[1]);
+    else j.x = n3_patch_point(p, uv[0], uv[1]);
+    memcpy(row, &j, what == N3I_JETS ? sizeof j : sizeof j.x);
+}
+
+NAGATA3_API void n3i_evaluate(const n3_patch *patch, const int *parent, const n3_real *uv, int first,
+                              int last, int what, n3_real *out)
+{
+    const size_t size = what == N3I_JETS ? 18 : 3;
+    const int plain = what == N3I_POINTS && N3I_WIDTH < 4; /* as to gather takes longer */
+    for (; plain && first < last; first++, out += 3)
+        n3i_plain_at(&patch[parent[first]], uv + 2 * (size_t)first, what, out);
+    for (; first < last; first += N3I_WIDTH, out += N3I_WIDTH * size) {
+        const n3_real *from[N3I_WIDTH];
+        n3_real *to[N3I_WIDTH], row[2][N3I_WIDTH];
+        n3i_wide_vec q[10];
+        n3i_wide u, v;
+        n3i_mask ok;
+        int i;
+        for (i = 0; i < N3I_WIDTH; i++) {
+            int lane = first + i < last ? i : 0;
+            from[i] = &patch[parent[first + lane]].p[0].x;
+            to[i] = out + size * (size_t)lane;
+            row[0][i] = uv[2 * (size_t)(first + lane)];
+            row[1][i] = uv[2 * (size_t)(first + lane) + 1];
+        }
+        n3i_load(from, 30, &q[0].x);
+        memcpy(&u, row[0], sizeof u);
+        memcpy(&v, row[1], sizeof v);
+        ok = what == N3I_POINTS ? n3i_wide_at(q, u, v, N3I_POINTS, to)
+             : what == N3I_JETS ? n3i_wide_at(q, u, v, N3I_JETS, to)
+                                : n3i_wide_at(q, u, v, N3I_NORMALS, to);
+        for (i = 0; i < N3I_WIDTH && first + i < last; i++)
+            if (!n3i_lane(ok, i))
+                n3i_plain_at(&patch[parent[first + i]], uv + 2 * (size_t)(first + i), what, to[i]);
+    }
+}
+
+NAGATA3_API void n3_patch_points(const n3_patch *patch, const int *parent, const n3_real *uv,
+                                 int first, int last, n3_vec *point)
+{
+    n3i_evaluate(patch, parent, uv, first, last, N3I_POINTS, &point->x);
+}
+
+NAGATA3_API void n3_patch_jets(const n3_patch *patch, const int *parent, const n3_real *uv,
+                               int first, int last, n3_jet *jet)
+{
+    n3i_evaluate(patch, parent, uv, first, last, N3I_JETS, &jet->x.x);
+}
+
+NAGATA3_API void n3_patch_normals(const n3_patch *patch, const int *parent, const n3_real *uv,
+                                  int first, int last, n3_vec *normal)
+{
+    n3i_evaluate(patch, parent, uv, first, last, N3I_NORMALS, &normal->x);
+}
+
 /* ---- Definitions: refinement ---- */
+
+/* From its lower to its higher point. */
+NAGATA3_API n3_edge n3i_mesh_edge(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                  int edge)
+{
+    const n3_vec *handle = net + m->points + 2 * edge;
+    int end[2];
+    n3_mesh_edge_ends(m, t, edge, end);
+    return n3i_edge_of(net[end[0]], handle[0], handle[1], net[end[1]]);
+}
 
 NAGATA3_API n3_status n3_mesh_refine_counts(const n3_mesh *m, const n3_topology *t, int level,
                                             int *points, int *triangles, int *normals)
@@ -2987,9 +3271,9 @@ NAGATA3_API int n3i_lattice_point(const n3i_lattice *g, int i, int j)
     return g->inside + (j - 1) * (n - 1) - (j - 1) * j / 2 + i - 1;
 }
 
-/* Points of the edges: from the canonical end, so that numbering the points anew changes none. */
-NAGATA3_API void n3i_refine_edges(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
-                                  int level, n3_vec *point)
+/* From the canonical end, so that numbering the points anew changes none. */
+NAGATA3_API void n3_mesh_refine_edges(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                      int level, int first, int last, n3_vec *point)
 {
     const n3_real *from[N3I_WIDTH];
     n3_edge e[N3I_WIDTH];
@@ -2998,15 +3282,13 @@ NAGATA3_API void n3i_refine_edges(const n3_mesh *m, const n3_topology *t, const 
     n3i_wide *at;
     n3i_sink sink;
     n3i_mask ok;
-    int edge, i, k, end[2];
-    for (edge = 0; edge < t->edges; edge += N3I_WIDTH) {
+    int i, k;
+    for (point += m->points; level > 1 && first < last; first += N3I_WIDTH) {
         for (i = 0; i < N3I_WIDTH; i++) {
-            int lane = edge + i < t->edges ? edge + i : t->edges - 1;
-            const n3_vec *handle = net + m->points + 2 * lane;
-            n3_mesh_edge_ends(m, t, lane, end);
-            e[i] = n3i_edge_of(net[end[0]], handle[0], handle[1], net[end[1]]);
+            int edge = first + i < last ? first + i : last - 1;
+            e[i] = n3i_mesh_edge(m, t, net, edge);
             from[i] = &e[i].p[0].x;
-            sink.to[i] = &point[m->points + (level - 1) * lane].x;
+            sink.to[i] = &point[(level - 1) * edge].x;
         }
         n3i_load(from, 12, &p[0].x);
         ok = (n3i_mask)(p[0].x <= p[0].x);
@@ -3015,36 +3297,25 @@ NAGATA3_API void n3i_refine_edges(const n3_mesh *m, const n3_topology *t, const 
         for (i = 1, at = sink.held; i < level; i++)
             at = n3i_put(&sink, at, n3i_wide_side_next(&side, level));
         n3i_flush(&sink, at);
-        for (i = 0; i < N3I_WIDTH && edge + i < t->edges; i++)
+        for (i = 0; i < N3I_WIDTH && first + i < last; i++)
             for (k = 1; !n3i_lane(ok, i) && k < level; k++)
-                point[m->points + (level - 1) * (edge + i) + k - 1] = n3i_side_point(e[i], k, level);
+                point[(level - 1) * (first + i) + k - 1] = n3i_side_point(e[i], k, level);
     }
 }
 
-/* The lattices of all patches, those of collapsed triangles left out. */
+/* The lattices of the triangles, those of collapsed ones left out. */
 NAGATA3_API void n3i_refine_patches(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
-                                    int level, int what, n3_vec *out)
+                                    int level, int first, int last, int what, n3_vec *out)
 {
     n3_patch p[N3I_WIDTH];
-    int f, count = 0, size = n3i_inside(what == N3I_INSIDE ? level : level + 3);
-    for (f = 0; f < m->triangles; f++) {
-        if (!n3i_is_collapsed(m, f)) p[count++] = n3i_mesh_patch(m, t, net, f);
-        if (count == 0 || (count < N3I_WIDTH && f + 1 < m->triangles)) continue;
+    int count = 0, size = n3i_inside(what == N3I_INSIDE ? level : level + 3);
+    for (; first < last; first++) {
+        if (!n3i_is_collapsed(m, first)) p[count++] = n3i_mesh_patch(m, t, net, first);
+        if (count == 0 || (count < N3I_WIDTH && first + 1 < last)) continue;
         n3i_lattices(p, count, level, what, out);
         out += (size_t)count * (size_t)size;
         count = 0;
     }
-}
-
-NAGATA3_API void n3i_refine_points(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
-                                   int level, n3_vec *point)
-{
-    int i;
-    for (i = 0; i < m->points; i++) point[i] = net[i];
-    if (level < 2) return;
-    n3i_refine_edges(m, t, net, level, point);
-    if (level < 3) return;
-    n3i_refine_patches(m, t, net, level, N3I_INSIDE, point + m->points + (level - 1) * t->edges);
 }
 
 /* The triangles of a lattice between the rows j and j + 1: along both, one up, one down. */
@@ -3067,17 +3338,34 @@ NAGATA3_API int *n3i_refine_row(const n3i_lattice *g, int j, int *triangle)
     return triangle;
 }
 
-NAGATA3_API void n3i_refine_triangles(const n3_mesh *m, const n3_topology *t, int level,
-                                      int *triangle, int *corner)
+/* How many of the first triangles are not collapsed. */
+NAGATA3_API int n3i_live_before(const n3_mesh *m, const n3_topology *t, int triangle)
 {
-    int f, j, live = 0;
-    for (f = 0; f < m->triangles; f++) {
+    int f, live = triangle;
+    for (f = 0; t->collapsed && f < triangle; f++) live -= n3i_is_collapsed(m, f);
+    return live;
+}
+
+NAGATA3_API void n3_mesh_refine_triangles(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                          int level, int first, int last, n3_vec *point,
+                                          int *triangle, n3_vec *normal, int *corner)
+{
+    int f, j, live = n3i_live_before(m, t, first), end = n3i_live_before(m, t, last);
+    size_t before = (size_t)live, each = 3 * (size_t)level * (size_t)level;
+    if (point && level > 2)
+        n3i_refine_patches(m, t, net, level, first, last, N3I_INSIDE,
+                           point + m->points + (level - 1) * t->edges + n3i_inside(level) * live);
+    if (normal)
+        n3i_refine_patches(m, t, net, level, first, last, N3I_NORMALS,
+                           normal + before * (size_t)n3i_inside(level + 3));
+    if (corner) n3_lattice_triangles(live, end, level, corner + before * each);
+    if (!triangle) return;
+    for (f = first, triangle += before * each; f < last; f++) {
         n3i_lattice g;
         if (n3i_is_collapsed(m, f)) continue;
         g = n3i_lattice_of(m, t, level, f, live++);
-        for (j = 0; triangle && j < level; j++) triangle = n3i_refine_row(&g, j, triangle);
+        for (j = 0; j < level; j++) triangle = n3i_refine_row(&g, j, triangle);
     }
-    if (corner) n3_lattice_triangles(0, live, level, corner);
 }
 
 /* From the last triangle to the first, so that the lowest stays. A collapsed one has no points
@@ -3108,12 +3396,13 @@ NAGATA3_API n3_status n3_mesh_refine(const n3_mesh *m, const n3_topology *t, con
                                      int *corner, int *parent, n3_real *uv)
 {
     n3_status status = n3i_check(m, t, NULL);
+    int i;
     if (status == N3_OK) status = n3_mesh_refine_counts(m, t, level, NULL, NULL, NULL);
     if (status != N3_OK) return status;
     if ((point || normal) && !net) return N3_NULL_POINTER;
-    if (point) n3i_refine_points(m, t, net, level, point);
-    if (triangle || corner) n3i_refine_triangles(m, t, level, triangle, corner);
-    if (normal) n3i_refine_patches(m, t, net, level, N3I_NORMALS, normal);
+    for (i = 0; point && i < m->points; i++) point[i] = net[i];
+    if (point) n3_mesh_refine_edges(m, t, net, level, 0, t->edges, point);
+    n3_mesh_refine_triangles(m, t, net, level, 0, m->triangles, point, triangle, normal, corner);
     if (parent || uv) n3i_refine_parents(m, t, level, parent, uv);
     return N3_OK;
 }
@@ -3560,15 +3849,6 @@ NAGATA3_API n3_real n3i_side_size(const n3i_bend *b, int side)
         size = n3i_larger(size, n3i_bend_size(b, n3_sub(across, n3_mul(s, along))));
     }
     return size;
-}
-
-NAGATA3_API n3_edge n3i_mesh_edge(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
-                                  int edge)
-{
-    const n3_vec *handle = net + m->points + 2 * edge;
-    int end[2];
-    n3_mesh_edge_ends(m, t, edge, end);
-    return n3i_edge_of(net[end[0]], handle[0], handle[1], net[end[1]]);
 }
 
 NAGATA3_API n3i_cut n3i_mesh_cut_of(const n3_topology *t, const n3_cut *cut, int triangle)

@@ -6,8 +6,9 @@
 #include <stdlib.h>
 
 enum { WINDOW = 1 << 15, HASHES = 1 << 15, SHORTEST = 3, LONGEST = 258 };
-enum { CHAIN = 256, ENOUGH = 128 }; /* candidates for a match; a length that ends the search */
-enum { TOKENS = 1 << 15 };          /* of a block */
+enum { CHAIN = 4096, ENOUGH = 258 }; /* candidates for a match; a length that ends the search */
+enum { REMOTE = 4096 };    /* from here on three literals are shorter than a copy of three */
+enum { TOKENS = 1 << 14 }; /* of a block */
 enum { LITERALS = 286, DISTANCES = 30, LENGTHS = 19, END = 256 };
 enum { DEEPEST = 15, DEEPEST_LENGTH = 7 }; /* bits of a code */
 
@@ -286,6 +287,8 @@ static token find(const finder *f, size_t at)
         }
         from = f->before[from % WINDOW];
     }
+    if (t.distance > REMOTE && t.value == SHORTEST) t.distance = 0;
+    if (!t.distance) t.value = f->data[at];
     return t;
 }
 

@@ -25,8 +25,9 @@ typedef enum view {
     VIEW_ERROR
 } view;
 
-/* The view of a name as above, -1 for none. */
+/* The view of a name as above, -1 for none; and back. */
 int view_find(const char *name);
+const char *view_name(view v);
 
 /* A line in space, width in pixels. What lies on a surface is seen in full. */
 typedef struct stroke {
@@ -35,15 +36,29 @@ typedef struct stroke {
     colour c;
 } stroke;
 
+/* A place on the surface: its derivatives, by whatever parameters, its unit normal, and the corners
+   of the flat triangle. */
+typedef struct spot {
+    n3_jet jet;
+    n3_vec normal, corner[3];
+} spot;
+
+spot patch_spot(const n3_patch *p, double u, double v);
+
+/* Where the surface is no patch, find() says what it is at u and v of the triangle instead, and is
+   true; the patch then tells only how finely to cut it. find NULL: they all are patches. */
 typedef struct scene {
     int patches, strokes;
     n3_patch *patch;
     stroke *stroke;
+    int (*find)(const void *owner, int triangle, double u, double v, spot *out);
+    const void *owner;
 } scene;
 
 void scene_add_stroke(scene *s, n3_vec p, n3_vec q, double width, colour c);
 void scene_add_edge(scene *s, const n3_edge *e, double width, colour c);
 void scene_add_net(scene *s); /* of all patches, with their sides */
+void scene_add_room(scene *s, const scene *other); /* to be seen from where both can be seen */
 void scene_free(scene *s);    /* both arrays, which come from allocate() */
 
 /* Where the picture is taken from. up 'z': turned about the z axis from -y towards x, and lifted

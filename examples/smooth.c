@@ -21,7 +21,8 @@ static const char help[] =
     "                 by its name. Without normals in it they are estimated.\n"
     "  -o OUT         .obj .stl .ply: flat triangles again, finer; .vtu .vtk .msh: the same, or\n"
     "                 elements with nodes on the surface; .step: the surface itself, solid where\n"
-    "                 it closes, in millimetres; .png: a picture. Not needed with --report.\n"
+    "                 it closes, in millimetres; .png: a picture; .html: a page\n"
+    "                 that turns it. Not needed with --report.\n"
     "  --boundary     of a mesh of volumes: the faces that one volume cell has\n"
     "\n"
     "  -n LEVEL       flat triangles, with so many parts per edge, 1 to 1000 (.obj .stl .ply: 4)\n"
@@ -200,7 +201,7 @@ int main(int argc, char **argv)
     progress_hide();
     if (o.times) progress_times(m.triangles);
     if (!o.quiet) report_line(o.in, &s, &r, &out);
-    if (o.report) (o.json ? report_json : report_text)(o.in, &m, &s, &r, &out);
+    if (o.report) (o.json ? report_json : report_text)(stdout, o.in, &m, &s, &r, &out);
     surface_free(&s);
     mesh_free(&m);
     if (fflush(stdout) || ferror(stdout)) fail("standard output", 0, "%s", strerror(errno));

@@ -30,6 +30,7 @@ typedef struct surface {
     n3_vec *net;     /* nodes control points, shared between patches */
     unsigned *flags; /* of each edge */
     int inferred;    /* corners whose normal is not from the file */
+    n3_real cos_crease;
     int squares;     /* Brown's, each over two triangles that follow one another: */
     brown_square *square;
     int *half; /* of each triangle, 2 * its square, whose corners 0 1 2 it has, or 2 * its square
@@ -65,6 +66,10 @@ void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_r
                   surface *s);
 void surface_free(surface *s);
 
+/* n3_mesh_refine into room that is there, each but point may be NULL. */
+void surface_refine(const surface *s, int level, n3_vec *point, int *triangle, n3_vec *normal,
+                    int *corner);
+
 /* Squares over the quads that the mesh had in the file, in place of patches. */
 void surface_find_quads(const mesh *m, surface *s);
 
@@ -72,14 +77,14 @@ void surface_find_quads(const mesh *m, surface *s);
    has made room, square and the control points of their sides in the net. */
 void surface_take_squares(surface *s);
 
-/* The point and the unit normal at the parameters of a triangle; at t along a side of one. */
-n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v);
+/* Where the triangle is half of a square: true, the derivatives by the square's parameters and the
+   unit normal at those of the triangle. */
+int surface_on_square(const surface *s, int triangle, n3_real u, n3_real v, n3_jet *jet,
+                      n3_vec *normal);
+
+/* The unit normal at the parameters of a triangle; at t along a side of one. */
 n3_vec surface_normal(const surface *s, int triangle, n3_real u, n3_real v);
 n3_vec surface_side_normal(const surface *s, int side, n3_real t);
-
-/* The corners of the i-th part of the row j of a triangle that is cut along its sides: how many
-   parts they are from its first corner, in u and in v. */
-void facet_places(int i, int j, int at[3][2]);
 
 /* The fewest parts for each edge with which facets are within the distance, as found in the middle
    of each and of its sides. */
@@ -97,18 +102,18 @@ n3_real surface_size(const surface *s);
 
 /* NULL, or why such a file cannot be: for people, to go behind its name. */
 const char *product_refuse(const request *r);
-/* True of formats that hold the surface itself. */
+/* True of formats that hold the surface itself, by control points. */
 int product_is_exact(const request *r);
 product product_write(const request *r, const mesh *m, const surface *s);
 
 /* What reading has made of the file, never in silence: for stderr, a line for each. */
 void report_reading(const char *in, const mesh *m);
 
-/* One line for stderr; the whole story for stdout, as text or as JSON. */
+/* One line for stderr; the whole story, as text or as JSON. */
 void report_line(const char *in, const surface *s, const n3_report *r, const product *out);
-void report_text(const char *in, const mesh *m, const surface *s, const n3_report *r,
+void report_text(FILE *f, const char *in, const mesh *m, const surface *s, const n3_report *r,
                  const product *out);
-void report_json(const char *in, const mesh *m, const surface *s, const n3_report *r,
+void report_json(FILE *f, const char *in, const mesh *m, const surface *s, const n3_report *r,
                  const product *out);
 
 #endif

@@ -118,7 +118,7 @@ void request_check(const request *r, int squares)
         misuse("-n, --tol, --order and --bezier exclude each other");
     if (r->path && product_refuse(r)) misuse("'%s' %s", r->path, product_refuse(r));
     if (squares && (r->kind == BEZIER || (r->path && product_is_exact(r))))
-        misuse("Brown's squares have no control points for --bezier and .step");
+        misuse("Brown's squares have no control points for --bezier, .step and .html");
     if (squares && (r->view == VIEW_NET || r->view == VIEW_ERROR))
         misuse("Brown's squares have no view net and no view error");
 }

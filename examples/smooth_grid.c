@@ -166,8 +166,8 @@ void grid_refine(const mesh *m, const surface *s, int level, unsigned with, grid
         too_many(s);
     grid_room(g, with);
     for (i = 0; i <= s->topology.edges; i++) g->first[i] = m->points + (level - 1) * i;
-    n3_mesh_refine(&s->mesh, &s->topology, s->net, level, g->node, g->element, g->normal, g->corner,
-                   g->parent, g->uv);
+    surface_refine(s, level, g->node, g->element, g->normal, g->corner);
+    n3_mesh_refine(&s->mesh, &s->topology, s->net, level, NULL, NULL, NULL, NULL, g->parent, g->uv);
     for (i = 0; i < g->elements; i++) g->origin[i] = i / (level * level);
     if (s->squares) grid_lay_squares(g, level);
     finish_facets(g, with);
@@ -246,8 +246,8 @@ void grid_curve(const mesh *m, const surface *s, int kind, unsigned with, grid *
     if (g->elements > INT_MAX / g->corners) too_many(s);
     grid_room(g, with);
     for (i = 0; i <= s->topology.edges; i++) g->first[i] = m->points + (level - 1) * i;
-    n3_mesh_refine(&s->mesh, &s->topology, s->net, level, g->node, NULL, NULL, NULL, g->parent,
-                   g->uv);
+    surface_refine(s, level, g->node, NULL, NULL, NULL);
+    n3_mesh_refine(&s->mesh, &s->topology, s->net, level, NULL, NULL, NULL, NULL, g->parent, g->uv);
     if (s->squares) grid_lay_squares(g, level);
     if (kind == BEZIER) memcpy(g->node, s->net, (size_t)g->nodes * sizeof *g->node);
     for (i = 0; i < g->elements; i++) {

@@ -19,7 +19,7 @@ static void to_square(const surface *s, int triangle, n3_real *u, n3_real *v)
     *(s->half[triangle] % 2 ? v : u) = sum;
 }
 
-n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v)
+static n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v)
 {
     n3_patch p;
     if (square_of(s, triangle)) {
@@ -28,6 +28,17 @@ n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v)
     }
     n3_mesh_patches(&s->mesh, &s->topology, s->net, triangle, triangle + 1, &p);
     return n3_patch_point(&p, u, v);
+}
+
+int surface_on_square(const surface *s, int triangle, n3_real u, n3_real v, n3_jet *jet,
+                      n3_vec *normal)
+{
+    const brown_square *q = square_of(s, triangle);
+    if (!q) return 0;
+    to_square(s, triangle, &u, &v);
+    *jet = brown_jet(q, u, v);
+    *normal = brown_normal(q, u, v);
+    return 1;
 }
 
 n3_vec surface_normal(const surface *s, int triangle, n3_real u, n3_real v)
@@ -98,7 +109,9 @@ void surface_find_quads(const mesh *m, surface *s)
 
 /* ---- Facets ---- */
 
-void facet_places(int i, int j, int at[3][2])
+/* The corners of the i-th part of the row j of a triangle that is cut along its sides: how many
+   parts they are from its first corner, in u and in v. */
+static void facet_places(int i, int j, int at[3][2])
 {
     int down = i % 2, u = (i + 1) / 2, v = j + down, side = down ? -1 : 1;
     at[0][0] = at[2][0] = u;

@@ -107,14 +107,14 @@ void report_reading(const char *in, const mesh *m)
     }
 }
 
-static void print_rows(const row *rows, int n)
+static void print_rows(FILE *f, const row *rows, int n)
 {
     int i;
     for (i = 0; i < n; i++) {
         if (!rows[i].value) continue;
-        printf("%10d  ", rows[i].value);
-        put_words(stdout, rows[i].value, rows[i].words);
-        putchar('\n');
+        fprintf(f, "%10d  ", rows[i].value);
+        put_words(f, rows[i].value, rows[i].words);
+        putc('\n', f);
     }
 }
 
@@ -136,9 +136,9 @@ static n3_vec patch_middle(const surface *s, int triangle)
     return n3_patch_point(&p, (n3_real)1 / 3, (n3_real)1 / 3);
 }
 
-static void print_place(n3_vec x)
+static void print_place(FILE *f, n3_vec x)
 {
-    printf(", near (%.4g, %.4g, %.4g).\n", (double)x.x, (double)x.y, (double)x.z);
+    fprintf(f, ", near (%.4g, %.4g, %.4g).\n", (double)x.x, (double)x.y, (double)x.z);
 }
 
 void report_line(const char *in, const surface *s, const n3_report *r, const product *out)
@@ -152,62 +152,62 @@ void report_line(const char *in, const surface *s, const n3_report *r, const pro
     fprintf(stderr, "at most %.4g off the facets\n", (double)r->distance);
 }
 
-void report_text(const char *in, const mesh *m, const surface *s, const n3_report *r,
+void report_text(FILE *f, const char *in, const mesh *m, const surface *s, const n3_report *r,
                  const product *out)
 {
     row rows[ROWS];
-    printf("%s: ", in);
-    put_count(stdout, "", r->triangles, "triangle*");
-    put_count(stdout, ", ", r->points, "point*");
-    put_count(stdout, ", ", r->edges, "edge*\n");
-    printf("\nFound:\n");
-    if (is_closed(r)) printf("  The mesh is closed: every edge joins two triangles.\n");
-    print_rows(rows, found(m, s, r, rows));
-    printf("\nMade, by the rule '%s':\n", s->rule->name);
-    print_rows(rows, done(s, r, rows));
+    fprintf(f, "%s: ", in);
+    put_count(f, "", r->triangles, "triangle*");
+    put_count(f, ", ", r->points, "point*");
+    put_count(f, ", ", r->edges, "edge*\n");
+    fprintf(f, "\nFound:\n");
+    if (is_closed(r)) fprintf(f, "  The mesh is closed: every edge joins two triangles.\n");
+    print_rows(f, rows, found(m, s, r, rows));
+    fprintf(f, "\nMade, by the rule '%s':\n", s->rule->name);
+    print_rows(f, rows, done(s, r, rows));
     if (r->distance_triangle >= 0) {
-        printf("  The surface leaves its triangles by at most %.4g", (double)r->distance);
-        print_place(patch_middle(s, r->distance_triangle));
+        fprintf(f, "  The surface leaves its triangles by at most %.4g", (double)r->distance);
+        print_place(f, patch_middle(s, r->distance_triangle));
     }
     if (r->jump_edge >= 0) {
-        printf("  Between smooth patches it bends by at most %.4g degrees",
-               (double)jump_degrees(r));
-        print_place(edge_middle(s, r->jump_edge));
+        fprintf(f, "  Between smooth patches it bends by at most %.4g degrees",
+                (double)jump_degrees(r));
+        print_place(f, edge_middle(s, r->jump_edge));
     }
     if (!out->path) return;
-    printf("\nWritten: ");
-    put_product(stdout, out);
-    printf("\n");
+    fprintf(f, "\nWritten: ");
+    put_product(f, out);
+    fprintf(f, "\n");
 }
 
-static void json_string(const char *name, const char *s)
+static void json_string(FILE *f, const char *name, const char *s)
 {
-    printf("  \"%s\": \"", name);
+    fprintf(f, "  \"%s\": \"", name);
     for (; *s; s++) {
         if (*s == '"' || *s == '\\')
-            printf("\\%c", *s);
+            fprintf(f, "\\%c", *s);
         else if ((unsigned char)*s < 32)
-            printf("\\u%04x", (unsigned)*s);
+            fprintf(f, "\\u%04x", (unsigned)*s);
         else
-            putchar(*s);
+            putc(*s, f);
     }
-    printf("\",\n");
+    fprintf(f, "\",\n");
 }
 
-static void json_number(n3_real x)
+static void json_number(FILE *f, n3_real x)
 {
     char s[NUMBER_SIZE];
     number_format(s, (double)x);
-    fputs(s, stdout);
+    fputs(s, f);
 }
 
-static void json_rows(const row *rows, int n)
+static void json_rows(FILE *f, const row *rows, int n)
 {
     int i;
-    for (i = 0; i < n; i++) printf("  \"%s\": %d,\n", rows[i].name, rows[i].value);
+    for (i = 0; i < n; i++) fprintf(f, "  \"%s\": %d,\n", rows[i].name, rows[i].value);
 }
 
-void report_json(const char *in, const mesh *m, const surface *s, const n3_report *r,
+void report_json(FILE *f, const char *in, const mesh *m, const surface *s, const n3_report *r,
                  const product *out)
 {
     const row counts[] = {
@@ -217,20 +217,20 @@ void report_json(const char *in, const mesh *m, const surface *s, const n3_repor
                            {"output_solids", out->solids, ""},
                            {"output_sheets", out->sheets, ""}};
     row rows[ROWS];
-    printf("{\n");
-    json_string("input", in);
-    json_rows(counts, 3);
-    json_rows(rows, found(m, s, r, rows));
-    json_string("rule", s->rule->name);
-    json_rows(rows, done(s, r, rows));
+    fprintf(f, "{\n");
+    json_string(f, "input", in);
+    json_rows(f, counts, 3);
+    json_rows(f, rows, found(m, s, r, rows));
+    json_string(f, "rule", s->rule->name);
+    json_rows(f, rows, done(s, r, rows));
     if (out->path) {
-        json_string("output", out->path);
-        json_rows(written, 4);
+        json_string(f, "output", out->path);
+        json_rows(f, written, 4);
     }
-    printf("  \"closed\": %s,\n", is_closed(r) ? "true" : "false");
-    printf("  \"distance\": ");
-    json_number(r->distance);
-    printf(",\n  \"jump_degrees\": ");
-    json_number(jump_degrees(r));
-    printf("\n}\n");
+    fprintf(f, "  \"closed\": %s,\n", is_closed(r) ? "true" : "false");
+    fprintf(f, "  \"distance\": ");
+    json_number(f, r->distance);
+    fprintf(f, ",\n  \"jump_degrees\": ");
+    json_number(f, jump_degrees(r));
+    fprintf(f, "\n}\n");
 }

@@ -43,7 +43,8 @@ static const format formats[] = {
     {".msh", CUBIC, TEXT | BYTES, LITTLE, WITH_FIELDS, grid_write_msh, NULL},
     {".step", BEZIER, TEXT, LITTLE, 0, NULL, write_step},
     {".stp", BEZIER, TEXT, LITTLE, 0, NULL, write_step},
-    {".png", BEZIER, BYTES, LITTLE, 0, NULL, write_picture}};
+    {".png", BEZIER, BYTES, LITTLE, 0, NULL, write_picture},
+    {".html", BEZIER, TEXT, LITTLE, 0, NULL, write_page}};
 
 /* NULL for none. */
 static const format *find_format(const char *path)
@@ -59,7 +60,7 @@ static int is_picture(const format *f) { return f->whole && f->whole != write_st
 const char *product_refuse(const request *r)
 {
     const format *f = find_format(r->path);
-    if (!f) return "is none of .obj .stl .ply .vtu .vtk .msh .step .png";
+    if (!f) return "is none of .obj .stl .ply .vtu .vtk .msh .step .png .html";
     if (r->drawn && !is_picture(f)) return "is no picture";
     if (!f->write && (r->level || r->kind || r->tolerance > 0))
         return "holds the surface itself, not facets or elements";
@@ -73,7 +74,7 @@ const char *product_refuse(const request *r)
 int product_is_exact(const request *r)
 {
     const format *f = find_format(r->path);
-    return f && f->whole == write_step;
+    return f && f->whole && f->whole != write_picture;
 }
 
 /* A node on a sharp edge has no one normal; and a field may have the name. */
