@@ -77,6 +77,9 @@ void surface_find_quads(const mesh *m, surface *s);
    has made room, square and the control points of their sides in the net. */
 void surface_take_squares(surface *s);
 
+/* Afterwards: the rest of the net, cubic patches near the squares. */
+void surface_put_squares(surface *s);
+
 /* Where the triangle is half of a square: true, the derivatives by the square's parameters and the
    unit normal at those of the triangle. */
 int surface_on_square(const surface *s, int triangle, n3_real u, n3_real v, n3_jet *jet,

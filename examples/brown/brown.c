@@ -141,6 +141,7 @@ static void make_surface(const char *path, const brown_lattice *l, const mesh *m
         put_curve(s, 3 * t + 4, n3_edge_reverse(&q->side[1]));
         put_curve(s, 3 * t + 5, n3_edge_reverse(&q->side[2]));
     }
+    surface_put_squares(s);
     mark_creases(s);
 }
 
