@@ -65,6 +65,9 @@ join: $(JOIN) $(BUILD)/join $(BUILD)/seams  ## two meshes joined by a smooth bri
 seams: $(BUILD)/seams  ## the README's table of the angles at the seams of joined meshes
 	@$(BUILD)/seams
 
+large: $(BUILD)/smooth $(BUILD)/demo_mesh  ## two million triangles through smooth, in 2 GiB
+	@sh tests/run.sh "sh tests/large_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
+
 fuzz: $(BUILD)/fuzz  ## read broken files of every format under the sanitizers; FILES=n of them
 	@$(BUILD)/fuzz $(FILES)
 
@@ -177,5 +180,5 @@ $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compil
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown quads join seams files pictures fuzz ledger dialects mutants bench \
-        bench-counts accuracy sweep facts golden gallery figures install help clean
+.PHONY: all demo test brown quads join seams files pictures large fuzz ledger dialects \
+        mutants bench bench-counts accuracy sweep facts golden gallery figures install help clean

@@ -182,13 +182,27 @@ static void read_mesh(const options *o, mesh *m)
     if (!m->triangles) fail(o->in, 0, "all its triangles have collapsed");
 }
 
+/* What was found and done, where anybody wants to know. */
+static void tell(const options *o, const mesh *m, const surface *s, const product *out)
+{
+    n3_report r;
+    memset(&r, 0, sizeof r);
+    if (!o->quiet || o->report) {
+        progress("measuring", -1, 1);
+        r = surface_report(s);
+    }
+    progress_hide();
+    if (o->times) progress_times(m->triangles);
+    if (!o->quiet) report_line(o->in, s, &r, out);
+    if (o->report) (o->json ? report_json : report_text)(stdout, o->in, m, s, &r, out);
+}
+
 int main(int argc, char **argv)
 {
     const n3_real degree = (n3_real)(3.14159265358979323846 / 180);
     options o = read_options(argc, argv);
     mesh m;
     surface s;
-    n3_report r;
     product out = {NULL, NULL, 0, 0, 0, 0};
     output_catch_signals();
     if (o.quiet) progress_hide();
@@ -196,12 +210,7 @@ int main(int argc, char **argv)
     surface_make(o.in, &m, o.rule, cos(o.crease * degree), &s);
     if (o.quads) surface_find_quads(&m, &s);
     if (o.out.path) out = product_write(&o.out, &m, &s);
-    progress("measuring", -1, 1);
-    r = surface_report(&s);
-    progress_hide();
-    if (o.times) progress_times(m.triangles);
-    if (!o.quiet) report_line(o.in, &s, &r, &out);
-    if (o.report) (o.json ? report_json : report_text)(stdout, o.in, &m, &s, &r, &out);
+    tell(&o, &m, &s, &out);
     surface_free(&s);
     mesh_free(&m);
     if (fflush(stdout) || ferror(stdout)) fail("standard output", 0, "%s", strerror(errno));

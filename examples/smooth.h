@@ -89,6 +89,10 @@ int surface_on_square(const surface *s, int triangle, n3_real u, n3_real v, n3_j
 n3_vec surface_normal(const surface *s, int triangle, n3_real u, n3_real v);
 n3_vec surface_side_normal(const surface *s, int side, n3_real t);
 
+/* The unit normals over a triangle that is half of a square, as n3_lattice_normals has them for
+   patches; over other triangles nothing is done. */
+void surface_square_normals(const surface *s, int triangle, int level, n3_vec *normal);
+
 /* The fewest parts for each edge with which facets are within the distance, as found in the middle
    of each and of its sides. */
 int surface_level(const surface *s, n3_real distance);

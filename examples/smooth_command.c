@@ -44,7 +44,7 @@ void print_and_exit(const char *text)
     exit(fflush(stdout) || ferror(stdout) ? EXIT_FAILURE : EXIT_SUCCESS);
 }
 
-static void read_tolerance(request *r, const char *option, const char *value)
+void option_tolerance(request *r, const char *option, const char *value)
 {
     const double most = 1e100;
     char *end;
@@ -107,7 +107,7 @@ int request_value(request *r, const char *a, const char *value)
     if (!value) misuse("%s takes a value", a);
     if (i == 0) r->path = value;
     if (i == 1) r->level = option_whole(a, value, 1, 1000);
-    if (i == 2) read_tolerance(r, a, value);
+    if (i == 2) option_tolerance(r, a, value);
     if (i == 3) r->kind = option_whole(a, value, 2, 3) == 2 ? QUADRATIC : CUBIC;
     return 1;
 }

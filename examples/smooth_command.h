@@ -20,6 +20,9 @@ void print_and_exit(const char *text);
 n3_real option_number(const char *option, const char *value, double lo, double hi);
 int option_whole(const char *option, const char *value, int lo, int hi);
 
+/* The value as a length, or with % of a diagonal. */
+void option_tolerance(request *r, const char *option, const char *value);
+
 /* Options that say what to write: those without and those with a value. False if it is none. */
 int request_switch(request *r, const char *a);
 int request_value(request *r, const char *a, const char *value);

@@ -217,20 +217,26 @@ static void lay_node(grid *g, int node)
     if (square_of(s, t)) g->node[node] = surface_point(s, t, g->uv[2 * node], g->uv[2 * node + 1]);
 }
 
+void surface_square_normals(const surface *s, int triangle, int level, n3_vec *normal)
+{
+    int i, j;
+    if (!square_of(s, triangle)) return;
+    for (j = 0; j <= level; j++)
+        for (i = 0; i <= level - j; i++)
+            *normal++ = surface_normal(s, triangle, (n3_real)i / level, (n3_real)j / level);
+}
+
 /* Those on the sides of squares are where they should be, on the edges of the net. */
 void grid_lay_squares(grid *g, int level)
 {
     const surface *s = g->surface;
-    const int edges = s->topology.edges;
-    int e, t, i, j, n = 0;
+    const int edges = s->topology.edges, size = (level + 1) * (level + 2) / 2;
+    int e, t, i;
     for (e = 0; e < edges; e++)
         for (i = g->first[e]; i < g->first[e + 1] && is_diagonal(s, e); i++) lay_node(g, i);
     for (i = g->first[edges]; i < g->nodes; i++) lay_node(g, i);
     for (t = 0; t < s->mesh.triangles && g->normal; t++)
-        for (j = 0; j <= level; j++)
-            for (i = 0; i <= level - j; i++, n++)
-                if (square_of(s, t))
-                    g->normal[n] = surface_normal(s, t, (n3_real)i / level, (n3_real)j / level);
+        surface_square_normals(s, t, level, g->normal + (size_t)t * (size_t)size);
 }
 
 /* ---- Report ---- */
