@@ -113,8 +113,9 @@ facts: $(BUILD)/facts  ## the README's figures
 golden: $(BUILD)/golden.csv  ## compute tests/golden.csv anew, in __float128
 	cp $(BUILD)/golden.csv tests/golden.csv
 
-gallery: $(BUILD)/gallery  ## draw the paper's figures and three more anew, into examples/gallery
+gallery: $(BUILD)/gallery $(BUILD)/brown  ## draw the papers' figures and three more anew
 	mkdir -p examples/gallery && $(BUILD)/gallery examples/gallery
+	sh examples/brown/figures.sh $(BUILD)/brown examples/gallery
 
 figures: $(BUILD)/figure7.svg  ## draw the README's picture anew
 	cp $(BUILD)/figure7.svg examples/figure7.svg

@@ -77,19 +77,17 @@ void surface_find_quads(const mesh *m, surface *s);
    has made room, square and the control points of their sides in the net. */
 void surface_take_squares(surface *s);
 
+/* Afterwards: the rest of the net, cubic patches near the squares. */
+void surface_put_squares(surface *s);
+
 /* Where the triangle is half of a square: true, the derivatives by the square's parameters and the
    unit normal at those of the triangle. */
 int surface_on_square(const surface *s, int triangle, n3_real u, n3_real v, n3_jet *jet,
                       n3_vec *normal);
 
-/* The point and the unit normal at the parameters of a triangle; at t along a side of one. */
-n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v);
+/* The unit normal at the parameters of a triangle; at t along a side of one. */
 n3_vec surface_normal(const surface *s, int triangle, n3_real u, n3_real v);
 n3_vec surface_side_normal(const surface *s, int side, n3_real t);
-
-/* The corners of the i-th part of the row j of a triangle that is cut along its sides: how many
-   parts they are from its first corner, in u and in v. */
-void facet_places(int i, int j, int at[3][2]);
 
 /* The unit normals over a triangle that is half of a square, as n3_lattice_normals has them for
    patches; over other triangles nothing is done. */

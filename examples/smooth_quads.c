@@ -19,7 +19,7 @@ static void to_square(const surface *s, int triangle, n3_real *u, n3_real *v)
     *(s->half[triangle] % 2 ? v : u) = sum;
 }
 
-n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v)
+static n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v)
 {
     n3_patch p;
     if (square_of(s, triangle)) {
@@ -76,6 +76,41 @@ void surface_take_squares(surface *s)
         if (is_diagonal(s, e)) s->flags[e] = 0;
 }
 
+/* The control point next to x0 of the cubic curve through points at thirds: 6 p1 = -5 x0 + 18 x1 -
+   9 x2 + 2 x3. */
+static n3_vec control(n3_vec x0, n3_vec x1, n3_vec x2, n3_vec x3)
+{
+    n3_vec minus = n3_add(n3_mul(5, x0), n3_mul(9, x2));
+    return n3_mul((n3_real)1 / 6, n3_sub(n3_add(n3_mul(18, x1), n3_mul(2, x3)), minus));
+}
+
+/* What the net lacks of half a square, its diagonal and its centre, such that the cubic patch has
+   the square's points at thirds there. */
+static void put_half(surface *s, int triangle)
+{
+    const n3_real third = (n3_real)1 / 3;
+    const int edge = s->topology.edge[3 * triangle + (s->half[triangle] % 2 ? 0 : 2)];
+    n3_vec *net = s->net + s->mesh.points + 2 * edge, x[4], centre;
+    int i, end[2], node[10];
+    for (i = 0; i < 4; i++)
+        x[i] = brown_point(square_of(s, triangle), (n3_real)i / 3, (n3_real)i / 3);
+    n3_mesh_edge_ends(&s->mesh, &s->topology, edge, end);
+    i = end[0] == s->mesh.triangle[triangle * 3]; /* the diagonal begins at the triangle's first */
+    net[!i] = control(x[0], x[1], x[2], x[3]);
+    net[i] = control(x[3], x[2], x[1], x[0]);
+    n3_mesh_patch_nodes(&s->mesh, &s->topology, triangle, node);
+    centre = n3_mul(27, surface_point(s, triangle, third, third));
+    for (i = 0; i < 9; i++) centre = n3_sub(centre, n3_mul(i < 3 ? 1 : 3, s->net[node[i]]));
+    s->net[node[9]] = n3_mul((n3_real)1 / 6, centre);
+}
+
+void surface_put_squares(surface *s)
+{
+    int t;
+    for (t = 0; t < s->mesh.triangles; t++)
+        if (square_of(s, t)) put_half(s, t);
+}
+
 /* ---- Quads of a mesh ---- */
 
 /* Triangles of one cell that a quad has been split into; a bend along the diagonal parts it. */
@@ -105,11 +140,14 @@ void surface_find_quads(const mesh *m, surface *s)
         if (s->half[t] >= 0 && s->half[t] % 2 == 0)
             s->square[s->half[t] / 2] =
                 brown_mesh_square(&s->mesh, &s->topology, s->net, s->half, t, &o);
+    surface_put_squares(s);
 }
 
 /* ---- Facets ---- */
 
-void facet_places(int i, int j, int at[3][2])
+/* The corners of the i-th part of the row j of a triangle that is cut along its sides: how many
+   parts they are from its first corner, in u and in v. */
+static void facet_places(int i, int j, int at[3][2])
 {
     int down = i % 2, u = (i + 1) / 2, v = j + down, side = down ? -1 : 1;
     at[0][0] = at[2][0] = u;

@@ -1,8 +1,8 @@
 /* brown: a lattice of points into a surface of Brown's squares. */
 #include "lattice.h"
 
-#include "../mesh_output.h"
 #include "../smooth_command.h"
+#include "../smooth_grid.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -25,7 +25,8 @@ static const char help[] =
     "                   curve v I J X Y Z X Y Z  of a column's part J\n"
     "                 * for J or I: all; one VALUE, or one for each point of the curve. The\n"
     "                 PARAMETERs: tension, bias, continuity, t-continuity, rise\n"
-    "  -o OUT         .obj .stl .ply .vtu .vtk .msh: flat triangles; .png: a picture\n"
+    "  -o OUT         .obj .stl .ply .vtu .vtk .msh: flat triangles; .png: a picture;\n"
+    "                 .html: a page that turns cubic patches near the surface\n"
     "  -n LEVEL       with so many parts for each side of a square, 1 to 1000 (8)\n"
     "  --tol T        with as few as keep the surface within this distance of them, measured\n"
     "                 in the middle of each and of its sides; with a %, of the bounding box's\n"
@@ -65,6 +66,9 @@ static void read_word(options *o, const char *a)
     }
 }
 
+/* A page has patches of its own. */
+static int is_page(const request *r) { return r->path && has_extension(r->path, ".html"); }
+
 static options read_options(int argc, char **argv)
 {
     options o = {NULL, request_plain(), 0};
@@ -78,8 +82,9 @@ static options read_options(int argc, char **argv)
     }
     if (!o.in) misuse("no file to read");
     if (!r->path) misuse("no file to write; -o OUT names it");
-    request_check(r, 1);
-    if (!(r->tolerance > 0) && r->kind == FACETS && !r->level && !has_extension(r->path, ".png"))
+    request_check(r, !is_page(r));
+    if (!(r->tolerance > 0) && r->kind == FACETS && !r->level && !has_extension(r->path, ".png") &&
+        !is_page(r))
         r->level = 8;
     return o;
 }
@@ -141,7 +146,37 @@ static void make_surface(const char *path, const brown_lattice *l, const mesh *m
         put_curve(s, 3 * t + 4, n3_edge_reverse(&q->side[1]));
         put_curve(s, 3 * t + 5, n3_edge_reverse(&q->side[2]));
     }
+    surface_put_squares(s);
     mark_creases(s);
+}
+
+/* Facets with the squares' normals, and over these the patches of the arc rule. */
+static product write_page_of(const request *r, const mesh *m, const surface *s)
+{
+    enum { PARTS = 6 };
+    product out;
+    surface near_by;
+    mesh fine;
+    grid g;
+    int i;
+    grid_refine(m, s, PARTS, WITH_CORNER_NORMALS, &g);
+    memset(&fine, 0, sizeof fine);
+    for (i = 0; i < g.elements; i++, fine.cells++) {
+        const int *e = g.element + 3 * i;
+        mesh_add_triangle(&fine, e[0], e[1], e[2]);
+        memcpy(fine.corner + 3 * i, g.corner + 3 * i, 3 * sizeof *fine.corner);
+    }
+    fine.points = g.nodes;
+    fine.point = g.node;
+    fine.normals = g.normals;
+    fine.normal = g.normal;
+    surface_make(s->path, &fine, smooth_rule_find("arc"), -1, &near_by);
+    out = product_write(r, &fine, &near_by);
+    surface_free(&near_by);
+    fine.point = fine.normal = NULL;
+    mesh_free(&fine);
+    grid_free(&g);
+    return out;
 }
 
 int main(int argc, char **argv)
@@ -156,7 +191,7 @@ int main(int argc, char **argv)
     lattice_read(o.in, &l);
     make_mesh(&l.view, &m);
     make_surface(o.in, &l.view, &m, &s);
-    out = product_write(&o.out, &m, &s);
+    out = (is_page(&o.out) ? write_page_of : product_write)(&o.out, &m, &s);
     progress_hide();
     if (!o.quiet)
         fprintf(stderr, "%s: %s: %d by %d points; %s: %d %s triangles, %d points\n", program, o.in,

@@ -73,6 +73,8 @@ for view in shaded zebra isophote mean gauss; do
     check "picture, $view" "$brown" "$shapes/plane.brown" --view $view --size 80x60 \
         -o "$dir/$view.png" --quiet
 done
+check 'page' "$brown" "$shapes/edge.brown" -o "$dir/edge.html" --quiet
+check 'page is whole' grep -q '</html>' "$dir/edge.html"
 check 'pictures differ' sh -c "! cmp -s '$dir/shaded.png' '$dir/zebra.png'"
 count() { sed -n 's/.*: \([0-9]*\) flat.*/\1/p'; }
 triangles() { "$brown" "$shapes/plane.brown" -o "$dir/out.obj" "$@" 2>&1 | count; }
