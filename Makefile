@@ -69,6 +69,9 @@ query: $(BUILD)/ray $(BUILD)/gap $(BUILD)/demo_mesh  ## rays and gaps, on bodies
 gap: $(BUILD)/gap  ## the README's table of the gaps between smooth bodies
 	@$(BUILD)/gap
 
+joined: $(BUILD)/join $(BUILD)/smooth $(BUILD)/seams  ## pictures of joined meshes in build/joined
+	@sh examples/join/pictures.sh $(BUILD)/join $(BUILD)/smooth $(BUILD)/seams $(BUILD)/joined
+
 seams: $(BUILD)/seams  ## the README's table of the angles at the seams of joined meshes
 	@$(BUILD)/seams
 
@@ -97,6 +100,9 @@ bench-counts: $(COUNTS)  ## instructions of each call against bench/counts.csv, 
 
 accuracy: $(BUILD)/accuracy  ## how far from surfaces that are known exactly
 	@$(BUILD)/accuracy $(SURFACES)
+
+quads: $(BUILD)/accuracy  ## Brown's squares over quads, against two triangles for each
+	@$(BUILD)/accuracy --quads
 
 sweep: $(BUILD)/accuracy  ## the constants that the paper leaves open, over the same surfaces
 	@$(BUILD)/accuracy --sweep
@@ -187,5 +193,6 @@ $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compil
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown join seams query gap files pictures large fuzz ledger dialects \
-        mutants bench bench-counts accuracy sweep facts golden gallery figures install help clean
+.PHONY: all demo test brown quads join joined seams query gap files pictures large fuzz \
+        ledger dialects mutants bench bench-counts accuracy sweep facts golden gallery figures \
+        install help clean
