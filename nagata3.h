@@ -1345,8 +1345,8 @@ typedef struct n3_foot {
 } n3_foot;
 
 /* The nearest point of the whole patch, however it is folded: its squared distance is the least one
-   but for 32 eps of the square of the largest distance to a control point. Where several are
-   nearest, one of them. The inverse of n3_patch_point: a point of the patch finds its u and v.
+   but for 32 eps of the square of the largest distance to a control point, and but for degenerate
+   patches that 2000 parts do not settle. Where several are nearest, one of them. The inverse of n3_patch_point: a point of the patch finds its u and v.
    A foot on a side, u, v or w exactly 0, is the one that n3_edge_nearest finds, so that both
    patches of an edge return the same bits. NaN or infinite input: all NaN, side 0. About as long as
    ten of n3_patch_jet for a point near the patch. */
@@ -5158,7 +5158,7 @@ NAGATA3_API int n3i_crossings(const n3_real x[10], const n3_real y[10], const in
     }
     left[0] = halvings;
     while (count > 0) {
-        n3_real *p = stack[--count], *q = p + 8;
+        n3_real *p = stack[--count], *q = stack[count + 1];
         int up = (p[4] >= 0) + (p[5] >= 0) + (p[6] >= 0) + (p[7] >= 0);
         int right = (p[0] >= 0) + (p[1] >= 0) + (p[2] >= 0) + (p[3] >= 0);
         if (right == 0 || up == 0 || up == 4) continue;

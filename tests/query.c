@@ -681,7 +681,7 @@ static void volumes_of_bodies(void)
 static void areas_in_a_plane(void)
 {
     rng r = {47};
-    long i, count = sample_count(60), sound = 0;
+    long i, count = 1 + sample_count(6000) / 100, sound = 0;
     for (i = 0; i < count; i++) {
         n3_patch p;
         n3_vec below = n3_v(0, 0, -1), centroid, moment;
@@ -709,7 +709,7 @@ static void areas_in_a_plane(void)
 static void areas_to_a_tolerance(void)
 {
     rng r = {48};
-    long i, count = sample_count(15);
+    long i, count = 1 + sample_count(1500) / 100;
     for (i = 0; i < count; i++) {
         n3_patch p = random_net(&r), part[3];
         double exact, parts = 0, tol = sizeof(n3_real) == 4 ? 1e-4 : 1e-6;
