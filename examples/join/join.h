@@ -920,7 +920,7 @@ NAGATA3_API int joini_cut(const join_bridge *b, int r, int i, int k, const n3_ve
     n3_vec x[4];
     n3_real gain, one, other;
     int c;
-    if (b->fixed) return 1;                                                         /* (F2.4.4) */
+    if (b->fixed) return 1;                                                        /* (F2.4.4) */
     for (c = 0; c < 4; c++) x[c] = point[cell[c]];
     gain = joini_gain(b, r, i, k, x);
     if (n3i_abs(gain) > (n3_real)1 / 64) return gain > 0;
