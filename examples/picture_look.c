@@ -38,14 +38,13 @@ static double curvature(const n3_jet *j, n3_vec n, int mean)
     return area > 0 ? k / area : 0;
 }
 
-double look_value(view v, const n3_patch *p, double u, double w)
+double look_value(view v, const spot *s)
 {
-    n3_jet j = n3_patch_jet(p, (n3_real)u, (n3_real)w);
+    const n3_vec *c = s->corner;
     n3_vec face;
-    if (v != VIEW_ERROR)
-        return curvature(&j, n3_patch_normal(p, (n3_real)u, (n3_real)w), v == VIEW_MEAN);
-    face = n3_unit(n3_cross(n3_sub(p->p[1], p->p[0]), n3_sub(p->p[2], p->p[0])));
-    return fabs(n3_dot(face, n3_sub(j.x, p->p[0])));
+    if (v != VIEW_ERROR) return curvature(&s->jet, s->normal, v == VIEW_MEAN);
+    face = n3_unit(n3_cross(n3_sub(c[1], c[0]), n3_sub(c[2], c[0])));
+    return fabs(n3_dot(face, n3_sub(s->jet.x, c[0])));
 }
 
 double look_unit(view v, double length)
@@ -61,9 +60,10 @@ static int in_stripe(double cosine, int stripes)
 }
 
 /* Lights stay with the camera: a key from the upper left, a weak one from the right. */
+static const n3_vec key = {(n3_real)-0.48, (n3_real)0.6, (n3_real)0.64};
+
 static double brightness(n3_vec n, n3_vec eye, double *shine)
 {
-    const n3_vec key = {(n3_real)-0.48, (n3_real)0.6, (n3_real)0.64};
     const n3_vec fill = {(n3_real)0.8, 0, (n3_real)0.6};
     double d = fmax(0, n3_dot(n, key)), f = fmax(0, n3_dot(n, fill));
     *shine = pow(fmax(0, n3_dot(n, n3_unit(n3_add(key, eye)))), 60);
@@ -78,39 +78,38 @@ static colour lit(colour c, double light, double shine)
     return c;
 }
 
-static colour map_colour(const look *l, const n3_patch *p, double u, double v)
+static colour map_colour(const look *l, const spot *s)
 {
-    double t = look_value(l->v, p, u, v) * look_unit(l->v, l->unit) / l->range;
+    double t = look_value(l->v, s) * look_unit(l->v, l->unit) / l->range;
     return l->v == VIEW_ERROR ? colour_sequential(t) : colour_diverging(t);
 }
 
-colour look_colour(const look *l, const n3_patch *p, double u, double v)
+/* A stripe in the mirror that the surface is; yellowish on its inner side. */
+static colour zebra(n3_vec n, n3_vec eye, int inner)
 {
     const n3_vec axis = {(n3_real)0.6, (n3_real)0.8, 0};
-    n3_vec x = n3_patch_point(p, (n3_real)u, (n3_real)v), n, eye;
-    double shine, light, facing;
-    int inner;
-    eye = n3_unit(n3_sub(n3_v(0, 0, (n3_real)l->eye), x));
-    n = n3_patch_normal(p, (n3_real)u, (n3_real)v);
-    facing = n3_dot(n, eye);
-    inner = facing < 0;
+    n3_vec mirrored = n3_sub(n3_mul(2 * n3_dot(n, eye), n), eye);
+    colour c = colour_srgb(255, inner ? 244 : 255, inner ? 214 : 255);
+    return lit(c, in_stripe(n3_dot(mirrored, axis), ZEBRA) ? 0.9 : 0.012, 0);
+}
+
+colour look_colour(const look *l, const spot *s)
+{
+    n3_vec eye = n3_unit(n3_sub(n3_v(0, 0, (n3_real)l->eye), s->jet.x)), n = s->normal;
+    int inner = n3_dot(n, eye) < 0;
+    double shine, light;
     if (inner) n = n3_mul(-1, n);
     light = brightness(n, eye, &shine);
-    if (l->v == VIEW_ZEBRA) {
-        n3_vec mirrored = n3_sub(n3_mul((n3_real)(2 * fabs(facing)), n), eye);
-        double white = in_stripe(n3_dot(mirrored, axis), ZEBRA) ? 0.9 : 0.012;
-        return colour_oklab(cbrt(white * (0.75 + 0.25 * light)), 0, inner ? 0.03 : 0);
-    }
+    if (l->v == VIEW_ZEBRA) return lit(zebra(n, eye, inner), 0.75 + 0.25 * light, 0);
     if (l->v == VIEW_ISOPHOTE) {
-        const n3_vec lamp = {(n3_real)-0.48, (n3_real)0.6, (n3_real)0.64};
-        int on = in_stripe(n3_dot(n, lamp), ISOPHOTES);
+        int on = in_stripe(n3_dot(n, key), ISOPHOTES);
         return lit(on ? colour_oklab(0.95, 0, 0) : colour_oklab(0.5, 0, inner ? 0.08 : -0.12),
                    0.7 + 0.3 * light, 0);
     }
     if (l->v == VIEW_SHADED || l->v == VIEW_NET)
         return lit(inner ? colour_oklab(0.7, 0.09, 0.05) : colour_oklab(0.8, -0.015, -0.035), light,
                    0.25 * shine);
-    return lit(map_colour(l, p, u, v), 0.8 + 0.2 * light, 0);
+    return lit(map_colour(l, s), 0.8 + 0.2 * light, 0);
 }
 
 /* ---- Legend ---- */

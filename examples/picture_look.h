@@ -4,17 +4,17 @@
 
 #include "picture_scene.h"
 
-/* The patch and the eye are in the camera's axes: x to the right, y up, z towards the eye. unit:
+/* Spots and the eye are in the camera's axes: x to the right, y up, z towards the eye. unit:
    the length 1 of these axes, in the scene's. */
 typedef struct look {
     view v;
     double range, unit, eye;
 } look;
 
-colour look_colour(const look *l, const n3_patch *p, double u, double v);
+colour look_colour(const look *l, const spot *s);
 
-/* The value that a map shows, and by what it changes with a patch so many times as large. */
-double look_value(view v, const n3_patch *p, double u, double w);
+/* The value that a map shows, and by what it changes with a surface so many times as large. */
+double look_value(view v, const spot *s);
 double look_unit(view v, double length);
 
 void look_legend(picture *p, panel f, view v, double range);

@@ -59,13 +59,60 @@ void scene_add_net(scene *s)
     }
 }
 
-/* Points of the surface that tell its extent: the i-th of each patch. */
-static n3_vec outline_point(const n3_patch *p, int i)
+/* ---- The surface ---- */
+
+spot patch_spot(const n3_patch *p, double u, double v)
+{
+    spot s;
+    s.jet = n3_patch_jet(p, (n3_real)u, (n3_real)v);
+    s.jet.x = n3_patch_point(p, (n3_real)u, (n3_real)v);
+    s.normal = n3_patch_normal(p, (n3_real)u, (n3_real)v);
+    memcpy(s.corner, p->p, sizeof s.corner);
+    return s;
+}
+
+/* Its places, its derivatives, its normal. */
+enum { PLACES = 4, LENGTHS = 9, VECTORS = 10 };
+
+static void spot_vectors(spot *s, n3_vec *v[VECTORS])
+{
+    v[0] = &s->jet.x;
+    v[1] = &s->corner[0];
+    v[2] = &s->corner[1];
+    v[3] = &s->corner[2];
+    v[4] = &s->jet.du;
+    v[5] = &s->jet.dv;
+    v[6] = &s->jet.duu;
+    v[7] = &s->jet.duv;
+    v[8] = &s->jet.dvv;
+    v[9] = &s->normal;
+}
+
+/* The spot with the origin there and in the unit. */
+static void shift_spot(spot *s, n3_vec origin, double unit)
+{
+    n3_vec *v[VECTORS];
+    int i;
+    spot_vectors(s, v);
+    for (i = 0; i < PLACES; i++) *v[i] = n3_sub(*v[i], origin);
+    for (i = 0; i < LENGTHS; i++) *v[i] = n3_mul((n3_real)(1 / unit), *v[i]);
+}
+
+static int find(const scene *s, int i, double u, double v, spot *out)
+{
+    return s->find && s->find(s->owner, i, u, v, out);
+}
+
+/* Points of the surface that tell its extent: the k-th of the triangle i. */
+static n3_vec outline_point(const scene *s, int i, int k)
 {
     static const int place[OUTLINE][2] = {{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0},
                                           {0, 1}, {1, 1}, {2, 1}, {3, 1}, {0, 2},
                                           {1, 2}, {2, 2}, {0, 3}, {1, 3}, {0, 4}};
-    return n3_patch_point(p, (n3_real)place[i][0] / 4, (n3_real)place[i][1] / 4);
+    double u = place[k][0] / 4.0, v = place[k][1] / 4.0;
+    spot there;
+    if (find(s, i, u, v, &there)) return there.jet.x;
+    return n3_patch_point(&s->patch[i], (n3_real)u, (n3_real)v);
 }
 
 /* Lines without a width take room and are not seen. */
@@ -75,7 +122,7 @@ void scene_add_room(scene *s, const scene *other)
     int i, k;
     for (i = 0; i < other->patches; i++)
         for (k = 0; k < OUTLINE; k++) {
-            n3_vec x = outline_point(&other->patch[i], k);
+            n3_vec x = outline_point(other, i, k);
             scene_add_stroke(s, x, x, 0, none);
         }
 }
@@ -128,7 +175,9 @@ double scene_range(const scene *s, view v)
         for (k = 0; k < 6; k++, n++) { /* inside, on two rings */
             double far_off = k < 3 ? 0.8 : 0.45, rest = (1 - far_off) / 2;
             double u = k % 3 == 1 ? far_off : rest, w = k % 3 == 2 ? far_off : rest;
-            value[n] = fabs(look_value(v, &p, u, w)) * look_unit(v, unit);
+            spot there = patch_spot(&p, u, w);
+            if (find(s, i, u, w, &there)) shift_spot(&there, s->patch[i].p[0], unit);
+            value[n] = fabs(look_value(v, &there)) * look_unit(v, unit);
             if (!(value[n] < HUGE_VAL)) value[n] = 0;
         }
     }
@@ -147,10 +196,14 @@ typedef struct pose {
     double focus, cx, cy; /* pixels */
 } pose;
 
+static n3_vec turn(const pose *c, n3_vec x)
+{
+    return n3_v(n3_dot(c->right, x), n3_dot(c->up, x), n3_dot(c->back, x));
+}
+
 static n3_vec to_camera(const pose *c, n3_vec x)
 {
-    x = n3_mul((n3_real)(1 / c->unit), n3_sub(x, c->middle));
-    return n3_v(n3_dot(c->right, x), n3_dot(c->up, x), n3_dot(c->back, x));
+    return turn(c, n3_mul((n3_real)(1 / c->unit), n3_sub(x, c->middle)));
 }
 
 /* A point that is seen somewhere: samples across, samples down, 1 / distance from the eye. */
@@ -168,23 +221,17 @@ static seen project(const pose *c, n3_vec x)
     return s;
 }
 
-static void grow(n3_vec *lo, n3_vec *hi, n3_vec x)
-{
-    *lo = n3_v(x.x < lo->x ? x.x : lo->x, x.y < lo->y ? x.y : lo->y, x.z < lo->z ? x.z : lo->z);
-    *hi = n3_v(x.x > hi->x ? x.x : hi->x, x.y > hi->y ? x.y : hi->y, x.z > hi->z ? x.z : hi->z);
-}
-
 /* The box of the outline and the strokes, in the axes of the pose as it stands. */
 static void find_box(const scene *s, const pose *c, n3_vec *lo, n3_vec *hi)
 {
     int i, k;
     for (i = 0; i < s->patches; i++)
         for (k = 0; k < OUTLINE; k++) {
-            n3_vec x = to_camera(c, outline_point(&s->patch[i], k));
+            n3_vec x = to_camera(c, outline_point(s, i, k));
             if (i + k == 0) *lo = *hi = x;
-            grow(lo, hi, x);
+            box_add(lo, hi, x);
         }
-    for (i = 0; i < 2 * s->strokes; i++) grow(lo, hi, to_camera(c, s->stroke[i / 2].p[i % 2]));
+    for (i = 0; i < 2 * s->strokes; i++) box_add(lo, hi, to_camera(c, s->stroke[i / 2].p[i % 2]));
 }
 
 static double distance_for(const pose *c, n3_vec x, panel f)
@@ -201,7 +248,7 @@ static void step_back(const scene *s, pose *c, panel f)
     c->eye = 2;
     for (i = 0; i < s->patches; i++)
         for (k = 0; k < OUTLINE; k++)
-            c->eye = fmax(c->eye, distance_for(c, to_camera(c, outline_point(&s->patch[i], k)), f));
+            c->eye = fmax(c->eye, distance_for(c, to_camera(c, outline_point(s, i, k)), f));
     for (i = 0; i < 2 * s->strokes; i++)
         c->eye = fmax(c->eye, distance_for(c, to_camera(c, s->stroke[i / 2].p[i % 2]), f));
 }
@@ -308,13 +355,39 @@ static void fill_stroke(const band *b, int item, const seen *p, const seen *q, d
 
 /* ---- Patches into triangles ---- */
 
-/* In the camera's axes, with the parts of its sides and of the whole, and the rows it is seen in.
- */
+/* In the camera's axes, with the parts of its sides and of the whole, and the rows that it and its
+   net are seen in. */
 typedef struct shape {
     n3_patch p;
     int level, side[3];
     double top, end;
 } shape;
+
+/* All that a picture is made from. */
+typedef struct shot {
+    const scene *scene;
+    pose pose;
+    shape *shape;
+    look look;
+} shot;
+
+static spot shot_spot(const shot *t, int i, double u, double v)
+{
+    n3_vec *part[VECTORS];
+    spot s;
+    int k;
+    if (!find(t->scene, i, u, v, &s)) return patch_spot(&t->shape[i].p, u, v);
+    shift_spot(&s, t->pose.middle, t->pose.unit);
+    spot_vectors(&s, part);
+    for (k = 0; k < VECTORS; k++) *part[k] = turn(&t->pose, *part[k]);
+    return s;
+}
+
+static n3_vec shot_point(const shot *t, int i, double u, double v)
+{
+    if (t->scene->find) return shot_spot(t, i, u, v).jet.x;
+    return n3_patch_point(&t->shape[i].p, (n3_real)u, (n3_real)v);
+}
 
 static double second_difference(n3_vec a, n3_vec b, n3_vec c)
 {
@@ -331,8 +404,7 @@ static int parts(const pose *c, double difference)
 /* A side has the same parts from both its patches, as they come from its own points alone. */
 static void set_levels(const pose *c, shape *s)
 {
-    static const int inner[6][3] = {{8, 9, 5}, {3, 9, 6}, {4, 9, 7},
-                                    {0, 3, 4}, {0, 3, 4}, {0, 3, 4}};
+    static const int inner[3][3] = {{8, 9, 5}, {3, 9, 6}, {4, 9, 7}};
     n3_edge e[3];
     int i;
     n3_patch_edges(&s->p, e);
@@ -348,16 +420,30 @@ static void set_levels(const pose *c, shape *s)
     }
 }
 
-static shape shape_make(const pose *c, const n3_patch *p)
+static void widen(shape *s, double y)
 {
+    s->top = fmin(s->top, y);
+    s->end = fmax(s->end, y);
+}
+
+/* A curve that is no patch's may leave the net; its points tell how far. */
+static shape shape_make(const shot *t, int i)
+{
+    const pose *c = &t->pose;
     shape s;
-    int i;
-    for (i = 0; i < 10; i++) {
-        double y;
-        s.p.p[i] = to_camera(c, p->p[i]);
-        y = project(c, s.p.p[i]).y;
-        s.top = i ? fmin(s.top, y) : y;
-        s.end = i ? fmax(s.end, y) : y;
+    int k;
+    s.top = HUGE_VAL;
+    s.end = -HUGE_VAL;
+    for (k = 0; k < 10; k++) {
+        s.p.p[k] = to_camera(c, t->scene->patch[i].p[k]);
+        widen(&s, project(c, s.p.p[k]).y);
+    }
+    for (k = 0; k < OUTLINE && t->scene->find; k++)
+        widen(&s, project(c, to_camera(c, outline_point(t->scene, i, k))).y);
+    if (t->scene->find) {
+        double more = (s.end - s.top) / 4;
+        s.top -= more;
+        s.end += more;
     }
     set_levels(c, &s);
     return s;
@@ -370,8 +456,9 @@ static double snapped(int i, int n, int curve)
 }
 
 /* The lattice point (i, j): u = i / n, v = j / n, on a side where the side has one. */
-static seen shape_point(const pose *c, const shape *s, int i, int j)
+static seen shape_point(const shot *t, int item, int i, int j)
 {
+    const shape *s = &t->shape[item];
     int n = s->level;
     double u = (double)i / n, v = (double)j / n;
     seen at;
@@ -381,22 +468,22 @@ static seen shape_point(const pose *c, const shape *s, int i, int j)
         v = snapped(j, n, s->side[2]);
     else if (i + j == n)
         u = 1 - (v = snapped(j, n, s->side[1]));
-    at = project(c, n3_patch_point(&s->p, (n3_real)u, (n3_real)v));
+    at = project(&t->pose, shot_point(t, item, u, v));
     at.u = u * at.nearness;
     at.v = v * at.nearness;
     return at;
 }
 
-static void fill_shape(const band *b, const pose *c, int item, const shape *s)
+static void fill_shape(const band *b, const shot *t, int item)
 {
     seen row[2][FINEST + 1];
-    int i, j, n = s->level;
-    for (i = 0; i <= n; i++) row[0][i] = shape_point(c, s, i, 0);
+    int i, j, n = t->shape[item].level;
+    for (i = 0; i <= n; i++) row[0][i] = shape_point(t, item, i, 0);
     for (j = 0; j < n; j++) {
         const seen *low = row[j % 2];
         seen *high = row[(j + 1) % 2];
         for (i = 0; i < n - j; i++) {
-            high[i] = shape_point(c, s, i, j + 1);
+            high[i] = shape_point(t, item, i, j + 1);
             fill_triangle(b, item, &low[i], &low[i + 1], &high[i]);
             if (i > 0) fill_triangle(b, item, &low[i], &high[i], &high[i - 1]);
         }
@@ -405,44 +492,51 @@ static void fill_shape(const band *b, const pose *c, int item, const shape *s)
 
 /* ---- The whole ---- */
 
-static void fill_band(const band *b, const pose *c, const scene *s, const shape *patch)
+static void fill_strokes(const band *b, const shot *t)
 {
-    int i;
-    for (i = 0; i < b->width * (b->end - b->top); i++) {
-        b->row[i].nearness = 0;
-        b->row[i].item = -1;
-    }
-    for (i = 0; i < s->patches; i++)
-        if (patch[i].top < b->end + 1 && patch[i].end > b->top - 1) fill_shape(b, c, i, &patch[i]);
+    const scene *s = t->scene;
+    int i, k;
     for (i = 0; i < s->strokes; i++) {
         seen p[2];
-        int k;
         for (k = 0; k < 2; k++) {
-            n3_vec x = to_camera(c, s->stroke[i].p[k]);
+            n3_vec x = to_camera(&t->pose, s->stroke[i].p[k]);
             x.z += (n3_real)lift;
-            p[k] = project(c, x);
+            p[k] = project(&t->pose, x);
         }
         if (s->stroke[i].width > 0)
             fill_stroke(b, s->patches + i, &p[0], &p[1], s->stroke[i].width * SIDE);
     }
 }
 
-static colour sample_colour(const sample *at, const scene *s, const shape *patch, const look *l)
+static void fill_band(const band *b, const shot *t)
 {
-    if (at->item >= s->patches) return s->stroke[at->item - s->patches].c;
-    return look_colour(l, &patch[at->item].p, (double)at->u, (double)at->v);
+    int i;
+    for (i = 0; i < b->width * (b->end - b->top); i++) {
+        b->row[i].nearness = 0;
+        b->row[i].item = -1;
+    }
+    for (i = 0; i < t->scene->patches; i++)
+        if (t->shape[i].top < b->end + 1 && t->shape[i].end > b->top - 1) fill_shape(b, t, i);
+    fill_strokes(b, t);
+}
+
+static colour sample_colour(const sample *at, const shot *t)
+{
+    spot there;
+    if (at->item >= t->scene->patches) return t->scene->stroke[at->item - t->scene->patches].c;
+    there = shot_spot(t, at->item, (double)at->u, (double)at->v);
+    return look_colour(&t->look, &there);
 }
 
 /* A pixel is the mean of its samples, in light; those that see nothing leave what is there. */
-static colour pixel_colour(const band *b, int x, int y, colour before, const scene *s,
-                           const shape *patch, const look *l)
+static colour pixel_colour(const band *b, int x, int y, colour before, const shot *t)
 {
     colour sum = {0, 0, 0};
     int k;
     for (k = 0; k < SIDE * SIDE; k++) {
         size_t row = (size_t)(y * SIDE + k / SIDE - b->top);
         const sample *at = &b->row[row * (size_t)b->width + (size_t)(x * SIDE + k % SIDE)];
-        colour c = at->item < 0 ? before : sample_colour(at, s, patch, l);
+        colour c = at->item < 0 ? before : sample_colour(at, t);
         sum.r += c.r / (SIDE * SIDE);
         sum.g += c.g / (SIDE * SIDE);
         sum.b += c.b / (SIDE * SIDE);
@@ -450,43 +544,50 @@ static colour pixel_colour(const band *b, int x, int y, colour before, const sce
     return sum;
 }
 
-static void resolve(const band *b, picture *out, panel f, const scene *s, const shape *patch,
-                    const look *l)
+static void resolve(const band *b, picture *out, panel f, const shot *t)
 {
     int x, y;
     for (y = b->top / SIDE; y < b->end / SIDE; y++)
         for (x = 0; x < f.width; x++) {
             int px = f.x + x, py = f.y + y;
-            colour *pixel = &out->pixel[(size_t)py * (size_t)out->width + (size_t)px];
-            if (px >= 0 && py >= 0 && px < out->width && py < out->height)
-                *pixel = pixel_colour(b, x, y, *pixel, s, patch, l);
+            colour *pixel;
+            if (px < 0 || py < 0 || px >= out->width || py >= out->height) continue;
+            pixel = &out->pixel[(size_t)py * (size_t)out->width + (size_t)px];
+            *pixel = pixel_colour(b, x, y, *pixel, t);
         }
+}
+
+static shot shot_make(const scene *s, camera c, panel f, view v, double range)
+{
+    shot t;
+    int i;
+    t.scene = s;
+    t.pose = pose_make(s, c, f);
+    t.look.v = v;
+    t.look.range = range;
+    t.look.unit = t.pose.unit;
+    t.look.eye = t.pose.eye;
+    t.shape = allocate((size_t)s->patches, sizeof *t.shape);
+    for (i = 0; i < s->patches; i++) t.shape[i] = shape_make(&t, i);
+    return t;
 }
 
 void scene_draw(picture *out, panel f, const scene *s, camera c, view v, double range)
 {
     panel inner = f;
-    pose p;
-    shape *patch = allocate((size_t)s->patches, sizeof *patch);
-    look l;
+    shot t;
     band b;
-    int i;
     inner.height -= look_legend_height(f, v);
-    p = pose_make(s, c, inner);
-    for (i = 0; i < s->patches; i++) patch[i] = shape_make(&p, &s->patch[i]);
-    l.v = v;
-    l.range = range;
-    l.unit = p.unit;
-    l.eye = p.eye;
+    t = shot_make(s, c, inner, v, range);
     b.width = inner.width * SIDE;
     b.row = allocate((size_t)b.width, BAND * SIDE * sizeof *b.row);
     for (b.top = 0; b.top < inner.height * SIDE; b.top = b.end) {
         b.end = b.top + BAND * SIDE;
         if (b.end > inner.height * SIDE) b.end = inner.height * SIDE;
-        fill_band(&b, &p, s, patch);
-        resolve(&b, out, inner, s, patch, &l);
+        fill_band(&b, &t);
+        resolve(&b, out, inner, &t);
     }
     look_legend(out, f, v, range);
     free(b.row);
-    free(patch);
+    free(t.shape);
 }

@@ -36,10 +36,23 @@ typedef struct stroke {
     colour c;
 } stroke;
 
+/* A place on the surface: its derivatives, by whatever parameters, its unit normal, and the corners
+   of the flat triangle. */
+typedef struct spot {
+    n3_jet jet;
+    n3_vec normal, corner[3];
+} spot;
+
+spot patch_spot(const n3_patch *p, double u, double v);
+
+/* Where the surface is no patch, find() says what it is at u and v of the triangle instead, and is
+   true; the patch then tells only how finely to cut it. find NULL: they all are patches. */
 typedef struct scene {
     int patches, strokes;
     n3_patch *patch;
     stroke *stroke;
+    int (*find)(const void *owner, int triangle, double u, double v, spot *out);
+    const void *owner;
 } scene;
 
 void scene_add_stroke(scene *s, n3_vec p, n3_vec q, double width, colour c);

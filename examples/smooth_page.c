@@ -193,7 +193,7 @@ static const char *base_name(const char *path)
 static void put_report(output *o, const mesh *m, const surface *s)
 {
     const product none = {NULL, NULL, 0, 0, 0, 0};
-    n3_report r = n3_mesh_report(&s->mesh, &s->topology, s->net, s->flags);
+    n3_report r = surface_report(s);
     FILE *f = tmpfile();
     size_t size;
     char *text;

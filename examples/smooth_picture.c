@@ -3,11 +3,23 @@
 
 #include <stdlib.h>
 
+/* Halves of squares are no patches. */
+static int find_on_square(const void *owner, int triangle, double u, double v, spot *out)
+{
+    const surface *s = owner;
+    int i;
+    if (!surface_on_square(s, triangle, (n3_real)u, (n3_real)v, &out->jet, &out->normal)) return 0;
+    for (i = 0; i < 3; i++) out->corner[i] = s->net[s->mesh.triangle[3 * triangle + i]];
+    return 1;
+}
+
 void surface_scene(const surface *s, scene *out)
 {
     const int n = s->mesh.triangles;
     memset(out, 0, sizeof *out);
     out->patches = n;
+    out->find = s->squares ? find_on_square : NULL;
+    out->owner = s;
     out->patch = allocate((size_t)n, sizeof *out->patch);
     n3_mesh_patches(&s->mesh, &s->topology, s->net, 0, n, out->patch);
 }

@@ -5,7 +5,7 @@
 #include "mesh_output.h"
 #include "smooth.h"
 
-/* The patches, to be freed with scene_free(). */
+/* The patches, to be freed with scene_free() before the surface. */
 void surface_scene(const surface *s, scene *out);
 
 /* A PNG file in memory, as asked for. */

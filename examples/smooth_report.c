@@ -189,7 +189,7 @@ static void json_string(FILE *f, const char *name, const char *s)
         else if ((unsigned char)*s < 32)
             fprintf(f, "\\u%04x", (unsigned)*s);
         else
-            fputc(*s, f);
+            putc(*s, f);
     }
     fprintf(f, "\",\n");
 }

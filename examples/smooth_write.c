@@ -74,7 +74,7 @@ const char *product_refuse(const request *r)
 int product_is_exact(const request *r)
 {
     const format *f = find_format(r->path);
-    return f && !f->write;
+    return f && f->whole && f->whole != write_picture;
 }
 
 /* A node on a sharp edge has no one normal; and a field may have the name. */

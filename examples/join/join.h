@@ -929,7 +929,7 @@ NAGATA3_API int joini_cut(const join_bridge *b, int r, int i, int k, const n3_ve
     return !(other < one - one / 1024);
 }
 
-/* Whether the next triangle steps from k to k + 1 on the next row, and not from i to i + 1 on row r:
+/* Whether the next triangle steps from k to k + 1 on the next row, not from i to i + 1 on row r:
    to the lower parameter; of equal ones, or NaN, by the better diagonal. */
 NAGATA3_API int joini_step(const join_bridge *b, int r, int i, int k, const n3_vec *point,
                            const int cell[4])

@@ -1,5 +1,5 @@
 #!/bin/sh
-# run.sh DIRECTORY, from the top of the project: the header alone, in every dialect of CC and CXX
+# run.sh DIRECTORY, from the top of the project: the headers alone, in every dialect of CC and CXX
 # and in both precisions, with the strictest warnings as errors; then twice in one file, in several
 # files of one program, in both precisions in one program, and without a C library.
 cc=${CC:-cc} cxx=${CXX:-c++} out=$1
@@ -20,13 +20,16 @@ check() {
     fi
 }
 
-# every_function HEADER PREFIX: a file that includes the header twice and takes the address of every
-# public function.
+# A file that includes the headers twice and takes the address of every public function.
+headers='nagata3.h examples/brown/brown.h examples/join/join.h'
 every_function() {
-    printf '#include "%s"\n#include "%s"\n' "$1" "$1"
+    printf '#include "%s"\n' $headers $headers
     printf 'typedef void (*function)(void);\nextern const function functions[];\n'
     printf 'const function functions[] = {\n'
-    sed -n "s/^NAGATA3_API [^(]*[ *]\($2[a-z0-9_]*\)(.*/    (function)\1,/p" "$1" | sort -u
+    for prefix in n3 brown join; do
+        cat $headers |
+            sed -n "s/^NAGATA3_API [^(]*[ *]\(${prefix}_[a-z0-9_]*\)(.*/    (function)\1,/p" | sort -u
+    done
     printf '};\n'
 }
 
@@ -47,8 +50,7 @@ one_program() {
 }
 
 mkdir -p "$out"
-every_function examples/join/join.h join_ >"$out/join.c"
-every_function nagata3.h n3_ >"$out/all.c"
+every_function >"$out/all.c"
 clang=$($cc --version | grep -c clang)
 for precision in -UNAGATA3_FLOAT -DNAGATA3_FLOAT; do
     object="$strict $precision -c $out/all.c -o $out/all.o"
@@ -59,11 +61,6 @@ for precision in -UNAGATA3_FLOAT -DNAGATA3_FLOAT; do
         check "$dialect" $cxx -x c++ -std=$dialect $object
     done
     [ "$clang" -eq 0 ] || check 'every warning' $cc -std=c99 $every $object
-    object="$strict $precision -c $out/join.c -o $out/join.o"
-    check 'c99, joining' $cc -std=c99 $object
-    check 'c++98, joining' $cxx -x c++ -std=c++98 $object
-    check 'c++20, joining' $cxx -x c++ -std=c++20 $object
-    [ "$clang" -eq 0 ] || check 'every warning, joining' $cc -std=c99 $every $object
     check freestanding freestanding $precision -O1
     check 'freestanding, optimised' freestanding $precision -O3
 done

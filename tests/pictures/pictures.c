@@ -204,17 +204,20 @@ static void test_values(void)
         for (k = 0; k < 20; k++) {
             double s = bend[i], x = k % 5 / 5.0, y = k / 5 / 5.0, W = 1 + x * x + s * s * y * y;
             n3_patch p = paraboloid(s);
+            spot there;
             double H = -(s * (1 + x * x) + 1 + s * s * y * y) / (2 * W * sqrt(W));
             if (x + y > 1) continue;
             /* Derivatives of size 1 from differences of points of size 1, six of them to the
                product: some ten roundings each. */
-            CHECK_NEAR(look_value(VIEW_MEAN, &p, x, y), H, 60 * eps, i * 100 + k);
-            CHECK_NEAR(look_value(VIEW_GAUSS, &p, x, y), s / (W * W), 60 * eps, i * 100 + k);
+            there = patch_spot(&p, x, y);
+            CHECK_NEAR(look_value(VIEW_MEAN, &there), H, 60 * eps, i * 100 + k);
+            CHECK_NEAR(look_value(VIEW_GAUSS, &there), s / (W * W), 60 * eps, i * 100 + k);
         }
     { /* The triangle of the corners with s = 1 is the plane z = (x + y) / 2. */
         n3_patch p = paraboloid(1);
+        spot there = patch_spot(&p, 1.0 / 3, 1.0 / 3);
         double want = (1.0 / 3 - 1.0 / 9) / sqrt(1.5);
-        CHECK_NEAR(look_value(VIEW_ERROR, &p, 1.0 / 3, 1.0 / 3), want, 8 * eps, 0);
+        CHECK_NEAR(look_value(VIEW_ERROR, &there), want, 8 * eps, 0);
     }
 }
 
@@ -237,7 +240,7 @@ static void test_square(void)
     const camera above = {0, 90, 1, 'z'};
     const panel all = {0, 0, 100, 100};
     n3_patch patch[2];
-    scene s = {0, 0, NULL, NULL};
+    scene s = {0, 0, NULL, NULL, NULL, NULL};
     picture p = picture_make(100, 100, blue);
     int i, k, wrong = 0;
     for (i = 0; i < 2; i++) {
@@ -267,7 +270,7 @@ static void test_sphere(void)
     const colour back = {1, 0, 1};
     const panel all = {0, 0, 200, 150};
     n3_patch patch[8];
-    scene s = {0, 0, NULL, NULL};
+    scene s = {0, 0, NULL, NULL, NULL, NULL};
     int i, x, y, v;
     n3_options arc = {N3_RULE_ARC, 0, 0};
     for (i = 0; i < 8; i++) {
