@@ -182,5 +182,5 @@ $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compil
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown quads join joined seams files pictures large fuzz ledger \
-        dialects mutants bench bench-counts accuracy sweep facts golden gallery figures install help clean
+.PHONY: all demo test brown quads join joined seams files pictures large fuzz ledger dialects \
+        mutants bench bench-counts accuracy sweep facts golden gallery figures install help clean

@@ -129,7 +129,7 @@ said=$("$join" "$lower" "$dir/inside_out.obj" -o "$dir/out.obj" 2>&1 | grep -c '
 same 'inside out: said' "$said" 1
 same 'inside out: closed' "$(open_sides "$dir/out.obj")" '48 0'
 
-# Normals in the files: of two quarter cylinders, side by side, that their triangles do not have.
+# Normals in the files, which their triangles do not have.
 sheet='v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn -1 0 1\nvn 1 0 1\n'
 obj sheet "${sheet}f 1//1 2//2 3//2\\nf 1//1 3//2 4//1\\n"
 obj apart 'v 0 0 2\nv 1 0 2\nv 1 1 2\nv 0 1 2\nf 3 2 1\nf 4 3 1\n'
