@@ -234,7 +234,7 @@ static void test_coincident(void)
     const double half_turn = 3.14159265358979323846;
     fans *f = fans_open(7, 7, n3_v(0, 0, 0), 0);
     CHECK(join_anyhow(&f->a, &f->b, 0) == 0, 0);
-    f->b.rim.start = 3;
+    f->a.rim.start = 6;
     CHECK(join_rims_match(&f->a.rim, &f->b.rim, NULL, -1, NULL) == JOIN_COINCIDENT, 1);
     fans_free(f);
     f = fans_open(7, 7, n3_v(2, 0, 0), half_turn);
