@@ -633,8 +633,8 @@ NAGATA3_API int joini_make_columns(const join_rim *a, const join_rim *b, const j
     int i = 0, k = 0, made = 0;
     while (i < a->count || k < b->count) {
         n3_real sa = joini_s(a, i), sb = joini_s(b, k), s = sb < sa ? sb : sa;
-        int at_a = k == b->count || (i < a->count && sa <= sb);
-        int at_b = i == a->count || (k < b->count && sb <= sa);
+        int at_a = k == b->count || (i < a->count && !(sb < sa));
+        int at_b = i == a->count || (k < b->count && !(sa < sb));
         join_vertex v = joini_between(a, at_a ? i : i - 1, s);
         join_vertex w = joini_between(b, at_b ? k : k - 1, s);
         column[made].s = s;
@@ -920,13 +920,26 @@ NAGATA3_API int joini_cut(const join_bridge *b, int r, int i, int k, const n3_ve
     n3_vec x[4];
     n3_real gain, one, other;
     int c;
-    if (b->fixed) return 1;                                                         /* (F2.4.4) */
+    if (b->fixed) return 1;                                                        /* (F2.4.4) */
     for (c = 0; c < 4; c++) x[c] = point[cell[c]];
     gain = joini_gain(b, r, i, k, x);
     if (n3i_abs(gain) > (n3_real)1 / 64) return gain > 0;
     one = n3_len(n3_sub(x[0], x[3]));
     other = n3_len(n3_sub(x[1], x[2]));
     return !(other < one - one / 1024);
+}
+
+/* Whether the next triangle steps from k to k + 1 on the next row, not from i to i + 1 on row r:
+   to the lower parameter; of equal ones, or NaN, by the better diagonal. */
+NAGATA3_API int joini_step(const join_bridge *b, int r, int i, int k, const n3_vec *point,
+                           const int cell[4])
+{
+    n3_real s, q;
+    if (i == joini_row_count(b, r)) return 1;
+    if (k == joini_row_count(b, r + 1)) return 0;
+    s = joini_row_s(b, r, i + 1);
+    q = joini_row_s(b, r + 1, k + 1);
+    return q < s || (!(s < q) && joini_cut(b, r, i, k, point, cell));
 }
 
 /* The triangles between row r and the next, whose own points begin with first and next. No point
@@ -937,26 +950,21 @@ NAGATA3_API int *joini_strip(const join_bridge *b, int r, int first, int next, c
     int n = joini_row_count(b, r), m = joini_row_count(b, r + 1), cell[4], forward;
     int i = 0, k = 0, i_at_k = 0, k_at_i = 0; /* where the other one was at the last step */
     while (i < n || k < m) {
-        n3_real s = i < n ? joini_row_s(b, r, i + 1) : 2;
-        n3_real q = k < m ? joini_row_s(b, r + 1, k + 1) : 2;
         cell[0] = joini_number(b, r, first, i);
         cell[1] = joini_number(b, r, first, i < n ? i + 1 : i);
         cell[2] = joini_number(b, r + 1, next, k);
         cell[3] = joini_number(b, r + 1, next, k < m ? k + 1 : k);
-        forward = q < s || (!(s < q) && joini_cut(b, r, i, k, point, cell));
+        forward = joini_step(b, r, i, k, point, cell);
         if (k == m - 1 && i < n && k_at_i == 0) forward = 0;
         if (i == n - 1 && k < m && i_at_k == 0) forward = 1;
         triangle[0] = cell[0];
         triangle[1] = cell[2];
         triangle[2] = forward ? cell[3] : cell[1];
         triangle += 3;
-        if (forward) {
-            k++;
-            i_at_k = i;
-        } else {
-            i++;
-            k_at_i = k;
-        }
+        if (forward) i_at_k = i;
+        else k_at_i = k;
+        k += forward;
+        i += !forward;
     }
     return triangle;
 }

@@ -234,7 +234,7 @@ static void test_coincident(void)
     const double half_turn = 3.14159265358979323846;
     fans *f = fans_open(7, 7, n3_v(0, 0, 0), 0);
     CHECK(join_anyhow(&f->a, &f->b, 0) == 0, 0);
-    f->b.rim.start = 3;
+    f->a.rim.start = 6;
     CHECK(join_rims_match(&f->a.rim, &f->b.rim, NULL, -1, NULL) == JOIN_COINCIDENT, 1);
     fans_free(f);
     f = fans_open(7, 7, n3_v(2, 0, 0), half_turn);
@@ -271,6 +271,45 @@ static void test_any_loops(void)
     }
 }
 
+/* Beyond all sizes, where lengths overflow, and from normals that are NaN: no hang, no trap, and as
+   many points and triangles as ever. An option that is NaN means its default. */
+static void test_not_finite(void)
+{
+    const n3_real huge = (n3_real)(sizeof(n3_real) == 4 ? 3e38 : 1.7e308);
+    const n3_real none = (n3_real)nan(""), normal[5][3] = {{none, none, none}};
+    join_options o = {JOIN_NAGATA, {0, 0}};
+    int row, i;
+    for (row = 0; row < 4; row++) {
+        fans *f = fans_open(4, row % 2 ? 4 : 7, n3_v(0, 0, 1), 0.1);
+        joined j, plain;
+        join_rims_match(&f->a.rim, &f->b.rim, NULL, -1, NULL);
+        join_rims(&f->a, &f->b, &o, 3, &plain);
+        for (i = 0; i < 4 && row < 2; i++) f->fan[0].point[i] = n3_mul(huge, f->fan[0].point[i]);
+        CHECK(body_take(&f->a, 0) == JOIN_OK, row);
+        f->a.mesh.normals = 5;
+        f->a.mesh.normal = normal[0];
+        if (row == 2)
+            CHECK(join_rim_make(&f->a.border, 0, 1, f->a.vertex, &f->a.rim) == JOIN_OK, row);
+        i = row == 3 ? -1 : 0;
+        CHECK(join_rims_match(&f->a.rim, &f->b.rim, NULL, i, NULL) == JOIN_OK, row);
+        if (row == 3) o.strength[0] = none;
+        memset(&j, 0, sizeof j);
+        j.column = memory(11, sizeof *j.column);
+        CHECK(join_columns(&f->a.rim, &f->b.rim, &o, j.column, NULL, &j.bridge, NULL) == JOIN_OK,
+              row);
+        j.bridge.rows = 3;
+        CHECK(join_counts(&j.bridge, &i, NULL) == JOIN_OK && i == plain.mesh.points, row);
+        j.point = memory((size_t)plain.mesh.points, sizeof *j.point);
+        j.triangle = memory((size_t)plain.mesh.triangles, 3 * sizeof *j.triangle);
+        CHECK(join_mesh(&j.bridge, NULL, j.point, j.triangle) == JOIN_OK, row);
+        for (i = 0; i < plain.mesh.points && row == 3; i++)
+            CHECK_SAME(j.point[i], plain.point[i], row);
+        joined_free(&j);
+        joined_free(&plain);
+        fans_free(f);
+    }
+}
+
 /* The tangent of the border triangles' normals, or of those that the mesh has: of a flat disc, into
    its plane, or wherever its normals say. */
 static void test_normals(void)
@@ -297,5 +336,6 @@ const test_case tests_awkward[] = {{"awkward: borders", test_borders},
                                    {"awkward: discs", test_discs},
                                    {"awkward: coincident loops", test_coincident},
                                    {"awkward: any loops", test_any_loops},
+                                   {"awkward: not finite", test_not_finite},
                                    {"awkward: normals of the mesh", test_normals},
                                    {NULL, NULL}};

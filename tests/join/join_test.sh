@@ -129,8 +129,9 @@ said=$("$join" "$lower" "$dir/inside_out.obj" -o "$dir/out.obj" 2>&1 | grep -c '
 same 'inside out: said' "$said" 1
 same 'inside out: closed' "$(open_sides "$dir/out.obj")" '48 0'
 
-# Normals in the files: of two quarter cylinders, side by side, that their triangles do not have.
-obj sheet 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn -1 0 1\nvn 1 0 1\nf 1//1 2//2 3//2\nf 1//1 3//2 4//1\n'
+# Normals in the files, which their triangles do not have.
+sheet='v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvn -1 0 1\nvn 1 0 1\n'
+obj sheet "${sheet}f 1//1 2//2 3//2\\nf 1//1 3//2 4//1\\n"
 obj apart 'v 0 0 2\nv 1 0 2\nv 1 1 2\nv 0 1 2\nf 3 2 1\nf 4 3 1\n'
 quiet "$dir/sheet.obj" "$dir/apart.obj" -o "$dir/out.obj" --rows 4
 quiet "$dir/sheet.obj" "$dir/apart.obj" -o "$dir/other.obj" --rows 4 --normals
@@ -168,7 +169,8 @@ same 'no output' "$("$join" "$lower" "$upper" 2>&1 | head -n 1)" \
     'join: no file to write; -o OUT names it'
 "$join" "$lower" "$upper" -o "$dir/out.xyz" 2>/dev/null
 same 'no such format' $? 2
-same 'version' "$("$join" --version)" "join $(sed -n 's/^.define NAGATA3_VERSION "\(.*\)"/\1/p' nagata3.h)"
+version=$(sed -n 's/^.define NAGATA3_VERSION "\(.*\)"/\1/p' nagata3.h)
+same 'version' "$("$join" --version)" "join $version"
 "$join" --help >"$dir/help"
 same 'help' $? 0
 check 'help fits' [ "$(awk 'length > 100' "$dir/help" | wc -l)" -eq 0 ]
