@@ -237,6 +237,7 @@ enum { COLUMNS = 3, TITLE = 28, GAP = 12 }; /* pixels */
 
 /* A row for each view, a column for each rule; all from the same place, with the same ranges. */
 typedef struct plate {
+    const char *name;
     void (*make)(mesh *m);
     int columns;
     column column[COLUMNS];
@@ -299,70 +300,44 @@ static void draw_plate(output *o, const plate *d)
 #define OLD "nagata", "Nagata's patch"
 #define NEW "paper", "the cubic patch"
 
-static void figure06(output *o)
-{
-    static const plate d = {
-        make_wave, 2, {{OLD}, {NEW}, {NULL, NULL}}, 1, {VIEW_SHADED}, {20, 40, 1, 'z'}, 400, 280};
-    draw_plate(o, &d);
-}
+static const plate plates[] = {
+    {"figure06.png", make_wave, 2, {{OLD}, {NEW}}, 1, {VIEW_SHADED}, {20, 40, 1, 'z'}, 400, 280},
+    {"figure16.png", make_octant, 2, {{OLD}, {NEW}}, 1, {VIEW_ZEBRA}, {135, 35, 1, 'z'}, 360, 280},
+    {"figure17.png", make_triangle, 2, {{OLD}, {NEW}}, 1, {VIEW_NET}, {14, 34, 1, 'z'}, 360, 280},
+    {"torus.png",
+     make_torus,
+     3,
+     {{OLD}, {NEW}, {"fit", "the fit rule"}},
+     1,
+     {VIEW_ZEBRA},
+     {15, 50, 1.35, 'z'},
+     320,
+     280},
+    {"bracket.png",
+     make_bracket,
+     3,
+     {{OLD}, {NEW}, {"arc", "the arc rule"}},
+     2,
+     {VIEW_ZEBRA, VIEW_MEAN},
+     {60, 28, 1, 'z'},
+     320,
+     280},
+    {"cat.png",
+     make_cat,
+     3,
+     {{"flat", "the triangles"}, {OLD}, {NEW}},
+     2,
+     {VIEW_SHADED, VIEW_ZEBRA},
+     {25, 12, 1, 'z'},
+     320,
+     280}};
 
-static void figure16(output *o)
+void draw_surface_figures(const char *folder)
 {
-    static const plate d = {
-        make_octant, 2, {{OLD}, {NEW}, {NULL, NULL}}, 1, {VIEW_ZEBRA}, {135, 35, 1, 'z'}, 360, 280};
-    draw_plate(o, &d);
+    size_t i;
+    for (i = 0; i < sizeof plates / sizeof *plates; i++) {
+        output *o = figure_open(folder, plates[i].name, LITTLE);
+        draw_plate(o, &plates[i]);
+        output_close(o);
+    }
 }
-
-static void figure17(output *o)
-{
-    static const plate d = {
-        make_triangle, 2, {{OLD}, {NEW}, {NULL, NULL}}, 1, {VIEW_NET}, {14, 34, 1, 'z'}, 360, 280};
-    draw_plate(o, &d);
-}
-
-static void torus(output *o)
-{
-    static const plate d = {make_torus,
-                            3,
-                            {{OLD}, {NEW}, {"fit", "the fit rule"}},
-                            1,
-                            {VIEW_ZEBRA},
-                            {15, 50, 1.35, 'z'},
-                            320,
-                            280};
-    draw_plate(o, &d);
-}
-
-static void bracket(output *o)
-{
-    static const plate d = {make_bracket,
-                            3,
-                            {{OLD}, {NEW}, {"arc", "the arc rule"}},
-                            2,
-                            {VIEW_ZEBRA, VIEW_MEAN},
-                            {60, 28, 1, 'z'},
-                            320,
-                            280};
-    draw_plate(o, &d);
-}
-
-static void cat(output *o)
-{
-    static const plate d = {make_cat,
-                            3,
-                            {{"flat", "the triangles"}, {OLD}, {NEW}},
-                            2,
-                            {VIEW_SHADED, VIEW_ZEBRA},
-                            {25, 12, 1, 'z'},
-                            320,
-                            280};
-    draw_plate(o, &d);
-}
-
-const figure surface_figures[] = {{"figure06.png", figure06},
-                                  {"figure16.png", figure16},
-                                  {"figure17.png", figure17},
-                                  {"torus.png", torus},
-                                  {"bracket.png", bracket},
-                                  {"cat.png", cat},
-                                  {NULL, NULL}};
