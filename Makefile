@@ -3,41 +3,41 @@ CC     ?= cc
 CXX    ?= c++
 CFLAGS ?= -O2
 PREFIX ?= /usr/local
+ROUNDS ?= 21
 BUILD   = build
 MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 
-COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic -I. -I$(BUILD) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@
-EXAMPLES = smooth brown demo_mesh figure7 gallery \
+COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic $(INCLUDE) $(CPPFLAGS) $(CFLAGS) $(THREADS)
+LINK     = $(COMPILE) $(LDFLAGS) -o $@ $(filter %.c,$^) $(filter %.a,$^) -lm
+INCLUDE  = -I. -Itests -Iexamples -Iexamples/brown -Iexamples/join
+EXAMPLES = smooth brown join gallery demo_mesh figure7 \
            $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
-FIGURES  = facts scale accuracy bench_double bench_float
-PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) $(FIGURES))
-TESTS    = $(addprefix $(BUILD)/,test_double test_float)
-TOOLS    = $(addprefix $(BUILD)/,write_seeds dump pictures)
-TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c)) $(wildcard bench/accuracy_m*.c \
-           bench/accuracy_surface.c)
-MESH     = $(wildcard examples/mesh*.c)
-PICTURE  = $(addprefix examples/,png.c deflate.c colour.c) $(wildcard examples/picture*.c)
-PICTURES = $(wildcard tests/pictures/*.c) $(PICTURE) $(MESH)
-SMOOTH   = $(wildcard examples/smooth*.c) $(PICTURE) $(MESH)
-GALLERY  = $(wildcard examples/gallery*.c) $(addprefix examples/smooth_,surface.c picture.c quads.c grid.c) \
-           $(PICTURE) $(MESH)
-BROWN    = $(wildcard examples/brown/*.c) $(filter-out examples/smooth.c,$(SMOOTH))
-BROWN_TESTS = $(addprefix $(BUILD)/,brown_double brown_float)
-BROWN_SRC = $(wildcard tests/brown/*.c) tests/check.c tests/samples.c
-JOIN     = examples/join/join.c $(filter-out examples/smooth.c,$(SMOOTH))
-JOIN_TESTS = $(addprefix $(BUILD)/,join_double join_float)
-JOIN_SRC = $(wildcard tests/join/*.c) tests/check.c tests/shapes.c examples/join/inputs.c
+PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) facts scale accuracy seams) $(BENCH)
+PARALLEL = $(addprefix $(BUILD)/,smooth brown join gallery dump pictures)
+BENCH    = $(addprefix $(BUILD)/bench_,double float)
+COUNTS   = $(addprefix $(BUILD)/counts_,double float)
+HEADER   = $(addprefix $(BUILD)/test_,double float)
+BROWN    = $(addprefix $(BUILD)/brown_test_,double float)
+JOIN     = $(addprefix $(BUILD)/join_test_,double float)
+TESTS    = $(HEADER) $(BROWN) $(JOIN)
+TOOLS    = $(addprefix $(BUILD)/,write_seeds dump pictures fuzz)
+TEST_SRC = $(filter-out tests/golden_gen.c,$(wildcard tests/*.c)) $(wildcard bench/accuracy_m*.c) \
+           bench/accuracy_surface.c
 SEEDS    = $(addprefix tests/fuzz/,mutate.c seeds.c)
-FUZZ     = tests/fuzz/sandbox.c $(filter-out examples/mesh_file.c,$(MESH))
+FUZZ     = tests/fuzz/sandbox.c $(filter-out examples/mesh_file.c,$(wildcard examples/mesh*.c))
+COUNTED  = -O2 -march=x86-64-v3
+NATIVE  := $(shell $(CC) -march=native -E -xc /dev/null >/dev/null 2>&1 && echo -march=native)
+OPENMP  := $(shell echo 'int main(void) { return 0; }' | $(CC) -fopenmp -xc - -o /dev/null \
+           2>/dev/null && echo -fopenmp)
 SANITIZE = -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all
-ACCURACY = $(wildcard bench/accuracy*.c)
+SHARED   = $(wildcard $(addprefix examples/,mesh*.c picture*.c smooth_*.c png.c deflate.c colour.c))
 HEADERS  = $(wildcard nagata3.h tests/*.h tests/*/*.h examples/*.h examples/*/*.h bench/*.h)
 VERSION  = $(shell sed -n 's/^.define NAGATA3_VERSION "\(.*\)"/\1/p' nagata3.h)
 LIB      = $(DESTDIR)$(PREFIX)/lib
 
 all: $(PROGRAMS)  ## the programs; this is what make alone does
 
-demo: $(BUILD)/smooth $(BUILD)/demo_mesh  ## smooth a small mesh into build/demo.vtu, .obj, .png, .html
+demo: $(BUILD)/smooth $(BUILD)/demo_mesh  ## a small mesh smoothed, as .vtu, .obj, .png and .html
 	@$(BUILD)/demo_mesh > $(BUILD)/demo_in.obj
 	@$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.obj --quiet
 	@$(BUILD)/smooth $(BUILD)/demo_in.obj -o $(BUILD)/demo.png --quiet --view zebra
@@ -46,21 +46,21 @@ demo: $(BUILD)/smooth $(BUILD)/demo_mesh  ## smooth a small mesh into build/demo
 	@echo 'Open $(BUILD)/demo.vtu in ParaView or $(BUILD)/demo.obj in any viewer of meshes.'
 	@echo 'Look at $(BUILD)/demo.png, or turn it in a browser: $(BUILD)/demo.html.'
 
-test: $(TESTS) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests; N3_SAMPLES=n scales them
-	@sh tests/run.sh $(TESTS) "sh tests/smooth_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
+test: $(HEADER) $(BUILD)/smooth $(BUILD)/demo_mesh  ## all tests; N3_SAMPLES=n scales them
+	@sh tests/run.sh $(HEADER) "sh tests/smooth_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
 
-brown: $(BROWN_TESTS) $(BUILD)/brown $(BUILD)/smooth  ## Brown's surfaces, the program too
-	@sh tests/run.sh $(BROWN_TESTS) "sh tests/brown/brown_test.sh $(BUILD)/brown $(BUILD)/smooth"
+brown: $(BROWN) $(BUILD)/brown $(BUILD)/smooth  ## Brown's surfaces, the program too
+	@sh tests/run.sh $(BROWN) "sh tests/brown/brown_test.sh $(BUILD)/brown $(BUILD)/smooth"
 
-files: $(TOOLS) $(BUILD)/smooth  ## every variant of every format that smooth reads
+files: $(BUILD)/write_seeds $(BUILD)/dump $(BUILD)/smooth  ## every variant of every format
 	@sh tests/run.sh "sh tests/files_test.sh $(BUILD)/smooth $(BUILD)/write_seeds $(BUILD)/dump"
 
 pictures: $(BUILD)/pictures $(BUILD)/smooth $(BUILD)/demo_mesh  ## what smooth draws
 	@sh tests/run.sh $(BUILD)/pictures \
 	    "sh tests/pictures_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
 
-join: $(JOIN_TESTS) $(BUILD)/join $(BUILD)/seams  ## two meshes joined by a smooth bridge
-	@sh tests/run.sh $(JOIN_TESTS) "sh tests/join/join_test.sh $(BUILD)/join $(BUILD)/seams"
+join: $(JOIN) $(BUILD)/join $(BUILD)/seams  ## two meshes joined by a smooth bridge
+	@sh tests/run.sh $(JOIN) "sh tests/join/join_test.sh $(BUILD)/join $(BUILD)/seams"
 
 seams: $(BUILD)/seams  ## the README's table of the angles at the seams of joined meshes
 	@$(BUILD)/seams
@@ -77,9 +77,12 @@ dialects:  ## the header alone, in every dialect of CC and CXX
 mutants:  ## break the header in 60 places, the tests must notice; MUTANTS=--all for everywhere
 	@CC="$(CC)" python3 tests/mutants.py $(MUTANTS) $(TEST_SRC)
 
-bench: $(BUILD)/bench_double $(BUILD)/bench_float $(BUILD)/scale  ## what calls and meshes cost
-	@$(BUILD)/bench_double $(ROUNDS) && $(BUILD)/bench_float $(ROUNDS)
+bench: $(BENCH) $(BUILD)/scale  ## what calls and meshes cost; also as CSV below build
+	@for b in $(BENCH); do $$b $(ROUNDS) $$b.csv || exit; done
 	@$(BUILD)/scale $(LARGEST)
+
+bench-counts: $(COUNTS)  ## instructions of each call against bench/counts.csv, by valgrind
+	@sh bench/counts.sh "$$($(CC) --version | head -n 1), $(COUNTED)" $(COUNTS) bench/counts.csv
 
 accuracy: $(BUILD)/accuracy  ## how far from surfaces that are known exactly
 	@$(BUILD)/accuracy $(SURFACES)
@@ -119,47 +122,40 @@ install:  ## the header, with what pkg-config and CMake need, below $(DESTDIR)$(
 	    'endif()' > $(LIB)/cmake/nagata3/nagata3-config-version.cmake
 
 help:  ## this list
-	@sed -n 's/^\([a-z]*\):.*  ## \(.*\)/\1:\2/p' Makefile | \
-	    while IFS=: read -r name what; do printf '%-9s %s\n' "$$name" "$$what"; done
+	@sed -n 's/^\([a-z-]*\):.*  ## \(.*\)/\1:\2/p' Makefile | \
+	    while IFS=: read -r name what; do printf '%-12s %s\n' "$$name" "$$what"; done
 
 clean:  ## remove what was built
 	rm -rf $(BUILD)
 
-$(BUILD)/test_double $(BUILD)/test_float: $(TEST_SRC)
-	$(COMPILE) -Itests $(TEST_SRC) -lm
-$(BUILD)/smooth: $(SMOOTH)
-	$(COMPILE) $(SMOOTH) -lm
-$(BUILD)/gallery: $(GALLERY)
-	$(COMPILE) $(GALLERY) -lm
-$(BUILD)/pictures: $(PICTURES)
-	$(COMPILE) -Iexamples $(PICTURES) -lm
-$(BUILD)/brown: $(BROWN)
-	$(COMPILE) $(BROWN) -lm
-$(BROWN_TESTS): $(BROWN_SRC)
-	$(COMPILE) -Itests -Iexamples/brown $(BROWN_SRC) -lm
-$(BUILD)/join: $(JOIN)
-	$(COMPILE) -Iexamples $(JOIN) -lm
+# Each from its own sources, and from what the programs share.
+$(HEADER): $(TEST_SRC)
+$(BROWN): $(wildcard tests/brown/*.c) tests/samples.c
+$(JOIN): $(wildcard tests/join/*.c) tests/shapes.c examples/join/inputs.c
+$(TESTS): tests/check.c
+$(BUILD)/brown: $(wildcard examples/brown/*.c)
+$(BUILD)/join: examples/join/join.c
 $(BUILD)/seams: examples/join/seams.c examples/join/inputs.c
-	$(COMPILE) $(filter %.c,$^) -lm
-$(JOIN_TESTS): $(JOIN_SRC)
-	$(COMPILE) -Itests -Iexamples/join $(JOIN_SRC) -lm
-$(BUILD)/accuracy: $(ACCURACY)
-	$(COMPILE) $(ACCURACY) -lm
-$(BUILD)/dump: tests/fuzz/dump.c $(MESH)
-	$(COMPILE) -Iexamples $< $(MESH) -lm
+$(BUILD)/gallery: $(wildcard examples/gallery*.c)
+$(BUILD)/accuracy: $(wildcard bench/accuracy*.c)
+$(BENCH) $(COUNTS): bench/bench.c
 $(BUILD)/write_seeds: tests/fuzz/write_seeds.c $(SEEDS)
-	$(COMPILE) $< $(SEEDS)
 $(BUILD)/fuzz: tests/fuzz/fuzz.c $(SEEDS) $(FUZZ)
-	$(COMPILE) $(SANITIZE) -Iexamples -Dfree=sandbox_free $< $(SEEDS) $(FUZZ) -lm
-$(BUILD)/bench_double $(BUILD)/bench_float: bench/bench.c
-	$(COMPILE) $< -lm
-$(BUILD)/golden_gen: tests/golden_gen.c
+$(BUILD)/dump: tests/fuzz/dump.c
+$(BUILD)/pictures: $(wildcard tests/pictures/*.c)
+$(PARALLEL): $(BUILD)/shared.a
+$(addprefix $(BUILD)/,facts scale): $(BUILD)/%: bench/%.c
+$(filter-out %/brown %/join %/gallery,$(addprefix $(BUILD)/,$(EXAMPLES))): $(BUILD)/%: examples/%.c
+
+$(PROGRAMS) $(TESTS) $(TOOLS) $(COUNTS): $(HEADERS) | $(BUILD)
+	$(LINK)
+$(BUILD)/golden_gen: tests/golden_gen.c | $(BUILD)
 	$(CC) -O2 -o $@ $< -lquadmath -lm
-$(BUILD)/%: examples/%.c
-	$(COMPILE) $< -lm
-$(BUILD)/%: bench/%.c
-	$(COMPILE) $< -lm
-$(BUILD)/smooth $(BUILD)/brown $(BUILD)/join: $(BUILD)/page.inc
+$(BUILD)/shared.a: $(SHARED:examples/%.c=$(BUILD)/%.o)
+	rm -f $@ && $(AR) rcs $@ $^
+$(BUILD)/%.o: examples/%.c $(HEADERS) | $(BUILD)
+	$(COMPILE) -I$(BUILD) -c -o $@ $<
+$(BUILD)/smooth_page.o: $(BUILD)/page.inc
 $(BUILD)/page.inc: examples/page.html | $(BUILD) # its bytes, as numbers of an array in C
 	od -An -v -tu1 $< | sed 's/[0-9][0-9]*/&,/g' > $@.part && mv $@.part $@
 $(BUILD)/%.csv: $(BUILD)/%_gen
@@ -168,11 +164,14 @@ $(BUILD)/%.svg: $(BUILD)/%
 	$< > $@.part && mv $@.part $@
 
 $(BUILD)/%_float: CPPFLAGS += -DNAGATA3_FLOAT
+$(BUILD)/fuzz: CPPFLAGS += $(SANITIZE) -Dfree=sandbox_free
+$(PARALLEL) $(BUILD)/shared.a $(BUILD)/03_threads: THREADS = $(OPENMP)
+$(BENCH) $(COUNTS): THREADS = -pthread
+$(BENCH) $(BUILD)/scale: CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O3 $(NATIVE),$(CFLAGS))
+$(COUNTS): CFLAGS := $(COUNTED)
 $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compiles in half the time
-$(PROGRAMS) $(TOOLS) $(TESTS) $(BROWN_TESTS) $(JOIN_TESTS): $(HEADERS) | $(BUILD)
-$(BUILD)/join $(BUILD)/seams $(BUILD)/golden_gen $(BUILD)/fuzz: $(HEADERS) | $(BUILD)
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown join seams files pictures fuzz ledger dialects mutants bench accuracy \
-        sweep facts golden gallery figures install help clean
+.PHONY: all demo test brown join seams files pictures fuzz ledger dialects mutants bench \
+        bench-counts accuracy sweep facts golden gallery figures install help clean

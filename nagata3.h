@@ -294,7 +294,7 @@ NAGATA3_API n3_vec n3_curve_plane(n3_vertex a, n3_vertex b);
    Exactly n3_edge_reverse of the edge from b to a. Tangent to both tangent planes to 8 ulp, but at
    an end that counts as along the chord, whose tangent is square to the chord. No handle is longer
    than 4/3 of the chord (arc: 2/3, to rounding), whatever the normals.
-   200 flops, 60 divisions, 12 square roots; arc: 170, 53, 9. */
+   170 flops, 36 divisions, 6 square roots; arc: 130, 22, 3. */
 NAGATA3_API n3_edge n3_edge_make(n3_vertex a, n3_vertex b, const n3_options *o);
 
 /* Point of the curve at t, any real; in [0, 1] it runs from p[0] to p[3]: (5.1.1).
@@ -333,7 +333,7 @@ NAGATA3_API n3_patch n3_patch_from_edges(const n3_edge *ab, const n3_edge *bc, c
 
 /* The patch over the triangle a, b, c: three edges and a centre by the rule. A patch alone has no
    neighbours to fit to: N3_RULE_FIT is the arc rule here. Corners given in another order give the
-   same edges, bit for bit, and the same centre to 4 ulp (arc: 8). 640 flops, 190 divisions, 36
+   same edges, bit for bit, and the same centre to 4 ulp (arc: 8). 550 flops, 114 divisions, 18
    square roots. */
 NAGATA3_API n3_patch n3_patch_make(n3_vertex a, n3_vertex b, n3_vertex c, const n3_options *o);
 
@@ -407,20 +407,36 @@ NAGATA3_API n3_real n3_len(n3_vec a)
     return s * n3i_sqrt(n3_dot(a, a));
 }
 
+/* n3_unit and n3_len of one vector. */
+NAGATA3_API n3_vec n3i_direction(n3_vec a, n3_real *length)
+{
+    n3_real s = n3i_largest(a), r;
+    *length = s + a.x + a.y + a.z; /* 0, or NaN */
+    if (!(s > 0)) return n3_mul(*length, a);
+    a = n3i_over(a, s);
+    r = n3i_sqrt(n3_dot(a, a));
+    *length = s * r;
+    return n3i_over(a, r);
+}
+
 NAGATA3_API n3_vec n3_unit(n3_vec a)
 {
-    n3_real s = n3i_largest(a);
-    if (!(s > 0)) return n3_mul(n3_len(a), a); /* zero, or NaN throughout */
-    a = n3i_over(a, s);
-    return n3i_over(a, n3i_sqrt(n3_dot(a, a)));
+    n3_real length;
+    return n3i_direction(a, &length);
+}
+
+/* True if n is zero or lies along the unit vector e. */
+NAGATA3_API int n3i_is_along(n3_vec e, n3_vec n)
+{
+    n3_vec m = n3_cross(e, n);
+    return n3_dot(m, m) <= N3_ALONG * N3_ALONG;
 }
 
 /* e x n, unit: the normal of the plane through the unit chord e perpendicular to the tangent plane
    of n. Zero when n is zero or lies along e. */
 NAGATA3_API n3_vec n3i_upright(n3_vec e, n3_vec n)
 {
-    n3_vec m = n3_cross(e, n);
-    return n3_dot(m, m) <= N3_ALONG * N3_ALONG ? n3_v(0, 0, 0) : n3_unit(m);
+    return n3i_is_along(e, n) ? n3_v(0, 0, 0) : n3_unit(n3_cross(e, n));
 }
 
 /* The part of n across the unit vector e, unit; zero when n is zero or lies along e. */
@@ -565,7 +581,7 @@ NAGATA3_API n3i_end n3i_end_make(n3_vec n, n3_vec e, n3_vec b, const n3_options 
     n3i_end t;
     t.cos = t.sin = 0;
     t.tan = o->tan_hi;
-    t.along = n3i_is_zero(n3i_upright(e, n));
+    t.along = n3i_is_along(e, n);
     if (t.along) return t;
     if (n3i_abs(ne) < o->tan_hi * n3i_abs(nb)) t.tan = n3i_abs(ne / nb);           /* (5.1.12) */
     t.tan = n3i_larger(t.tan, o->tan_lo);                                          /* (5.1.11) */
@@ -589,12 +605,12 @@ NAGATA3_API n3_edge n3i_edge_straight(n3_vec x0, n3_vec x1)
     return n3i_edge_of(x0, n3_add(x0, third), n3_sub(x1, third), x1);
 }
 
-/* m: unit normal of Pi. An end whose normal lies along the chord starts at 90 degrees on the side
+/* e, L: the chord's direction and length. An end whose normal lies along the chord starts at 90 degrees on the side
    from which the other end comes down. */
-NAGATA3_API n3_edge n3i_edge_paper(n3_vertex v0, n3_vertex v1, n3_vec m, const n3_options *o)
+NAGATA3_API n3_edge n3i_edge_paper(n3_vertex v0, n3_vertex v1, n3_vec e, n3_real L,
+                                   const n3_options *o)
 {
-    n3_vec d = n3_sub(v1.x, v0.x), e = n3_unit(d), b = n3_cross(m, e), ts, te;
-    n3_real L = n3_len(d);
+    n3_vec m = n3i_plane(e, v0.n, v1.n), b = n3_cross(m, e), ts, te;
     n3i_end s = n3i_end_make(v0.n, e, b, o), t = n3i_end_make(v1.n, e, b, o);
     n3_real ds = n3i_handle(s, t, L);                                              /* (5.1.13) */
     n3_real de = n3i_handle(t, s, L);                                              /* (5.1.14) */
@@ -619,8 +635,9 @@ NAGATA3_API n3_vec n3i_off(n3_vec a, n3_vec n) { return n3_sub(a, n3_mul(n3_dot(
 NAGATA3_API n3_edge n3i_edge_arc(n3_vertex v0, n3_vertex v1)
 {
     n3_vec d = n3_sub(v1.x, v0.x), turn = n3_sub(v1.n, v0.n), sum = n3_add(v0.n, v1.n);
-    n3_vec m = n3_unit(sum), q, hs, he;
-    n3_real g = n3_dot(d, turn), k = 1 / (1 + n3_len(sum) / 2);
+    n3_real length, g = n3_dot(d, turn), k;
+    n3_vec m = n3i_direction(sum, &length), q, hs, he;
+    k = 1 / (1 + length / 2);
     q = n3_sub(n3_sub(d, n3_mul(n3_dot(d, m), m)), n3_mul(g * k * k / 4, turn));
     m = n3_mul(g * k, m);
     hs = n3i_off(n3i_over(n3_add(q, m), 3), v0.n);
@@ -653,13 +670,13 @@ NAGATA3_API int n3i_is_arc(const n3_options *o)
 NAGATA3_API n3_edge n3i_edge_sorted(n3_vertex a, n3_vertex b, const n3_options *given)
 {
     n3_options o = n3i_defaults(given);
-    n3_vec e = n3_unit(n3_sub(b.x, a.x)), m;
+    n3_real L;
+    n3_vec e = n3i_direction(n3_sub(b.x, a.x), &L);
     if (n3i_is_zero(a.n)) a.n = n3i_across(b.n, e);
     else if (n3i_is_zero(b.n)) b.n = n3i_across(a.n, e);
-    m = n3i_plane(e, a.n, b.n);
-    if (n3i_is_zero(m)) return n3i_edge_straight(a.x, b.x);
+    if (n3i_is_along(e, a.n) && n3i_is_along(e, b.n)) return n3i_edge_straight(a.x, b.x);
     if (n3i_is_arc(&o) && !(n3_len(n3_add(a.n, b.n)) <= N3_OPPOSITE)) return n3i_edge_arc(a, b);
-    return n3i_edge_paper(a, b, m, &o);
+    return n3i_edge_paper(a, b, e, L, &o);
 }
 
 NAGATA3_API n3_edge n3_edge_make(n3_vertex a, n3_vertex b, const n3_options *o)
@@ -1140,6 +1157,16 @@ NAGATA3_API n3_status n3_mesh_refine(const n3_mesh *m, const n3_topology *t, con
                                      int level, n3_vec *point, int *triangle, n3_vec *normal,
                                      int *corner, int *parent, n3_real *uv);
 
+/* Its parts, for callers that share the work out: the points on the edges first up to but not with
+   last; and, of the triangles first up to but not with last, the points inside, the triangles, the
+   normals and their corners, all into their places. The first points are the net's. Nothing is
+   checked; n3_mesh_refine says what is. */
+NAGATA3_API void n3_mesh_refine_edges(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                      int level, int first, int last, n3_vec *point);
+NAGATA3_API void n3_mesh_refine_triangles(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                          int level, int first, int last, n3_vec *point,
+                                          int *triangle, n3_vec *normal, int *corner);
+
 /* Nodal values carried to new points with the parameters that n3_mesh_refine gave them.
    degree 1: nodal has a row of components numbers for each point. 2: then one for the middle of
    each edge. 3: then instead two for the thirds of each edge, the one next to the lower point
@@ -1207,6 +1234,16 @@ NAGATA3_API void n3_lattice_normals(const n3_patch *patch, int first, int last, 
    first point of patch 0. */
 NAGATA3_API void n3_lattice_triangles(int first, int last, int level, int *triangle);
 
+/* At the parameters uv[2 i] and uv[2 i + 1] of the patch parent[i], as n3_mesh_refine gives them:
+   n3_patch_point and n3_patch_jet, bit for bit, and the normal as n3_lattice_normals has it.
+   parent and uv are the whole arrays; every parent must be a patch. */
+NAGATA3_API void n3_patch_points(const n3_patch *patch, const int *parent, const n3_real *uv,
+                                 int first, int last, n3_vec *point);
+NAGATA3_API void n3_patch_jets(const n3_patch *patch, const int *parent, const n3_real *uv,
+                               int first, int last, n3_jet *jet);
+NAGATA3_API void n3_patch_normals(const n3_patch *patch, const int *parent, const n3_real *uv,
+                                  int first, int last, n3_vec *normal);
+
 /* ---- Report ---- */
 
 /* False if the patch certainly has no fold: all control vectors of its normal, du x dv, a quartic,
@@ -1244,6 +1281,118 @@ typedef struct n3_report {
    cost the number of triangles at an edge each time. */
 NAGATA3_API n3_report n3_mesh_report(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
                                      const unsigned *flags);
+
+/* ---- Queries of one patch ---- */
+
+/* Corners of a box along the axes. */
+typedef struct n3_box { n3_vec lo, hi; } n3_box;
+
+/* Holds the patch: the box of its control points. 54 comparisons. */
+NAGATA3_API n3_box n3_patch_box(const n3_patch *p);
+
+/* Holds the patch, and no side of it is farther from the patch than tolerance times the largest
+   extent of n3_patch_box, unless a coordinate has so long a ridge that 500 parts of the patch do
+   not settle it; 0 stands for N3_EPS. A tolerance of 1/1000 costs some 50 parts. */
+NAGATA3_API n3_box n3_patch_box_tight(const n3_patch *p, n3_real tolerance);
+
+/* No point of the patch is farther than this from the point of the triangle with the same u and
+   v: 8/9 of the largest such distance of a control point. */
+NAGATA3_API n3_real n3_patch_flatness(const n3_patch *p);
+
+/* The part of the patch over a triangle in its domain, or outside, as a patch: uv holds the u and
+   v of its corners. The corners of the domain in another order give the same patch with its
+   corners in that order, exactly. 690 flops. */
+NAGATA3_API n3_patch n3_patch_part(const n3_patch *p, const n3_real uv[6]);
+
+/* The parts that have the point at u, v in place of the corner a, of b, of c. Parts share the
+   control points of the side between them, bit for bit. */
+NAGATA3_API void n3_patch_split(const n3_patch *p, n3_real u, n3_real v, n3_patch out[3]);
+
+/* The parts between the middles of the sides: at a, at b, at c, and the one in the middle, turned
+   against the others: its corners are the middles of bc, ca, ab. Parts share their sides bit for
+   bit, with each other and across the sides of the patch. */
+NAGATA3_API void n3_patch_split4(const n3_patch *p, n3_patch out[4]);
+
+/* The same surface as a patch of degree 4, in the order of VTK_BEZIER_TRIANGLE: the corners, three
+   points each of ab, bc, ca, and the three inside that are next to a, b, c. */
+NAGATA3_API void n3_patch_raise(const n3_patch *p, n3_vec out[15]);
+
+/* What bends at a point: the coefficients of du^2, du dv and dv^2 in the first fundamental form
+   (E, 2 F, G) and in the second (L, 2 M, N) along the normal of n3_patch_normal; the principal
+   curvatures, k[0] >= k[1], with their unit directions t[0], t[1] = normal x t[0]; their mean and
+   their product. A curvature is positive where the surface bends towards its normal: a sphere seen
+   from outside has -1 / radius. At an umbilic every direction is principal, and t[0] is along du.
+   Where du x dv vanishes there are no curvatures: they and the directions are zero. */
+typedef struct n3_curvature {
+    n3_vec normal, t[2];
+    n3_real E, F, G, L, M, N, k[2], mean, gauss;
+} n3_curvature;
+
+NAGATA3_API n3_curvature n3_patch_curvature(const n3_patch *p, n3_real u, n3_real v);
+
+/* A point of the patch nearest to another point. */
+typedef struct n3_foot {
+    n3_vec x;             /* n3_patch_point at u, v */
+    n3_real u, v;
+    n3_real distance2;    /* the square of the distance */
+    int side;             /* 1: the point is where the normal at x looks to, -1: behind, 0: neither */
+} n3_foot;
+
+/* The nearest point of the whole patch, however it is folded: its squared distance is the least one
+   but for 32 eps of the square of the largest distance to a control point. Where several are
+   nearest, one of them. The inverse of n3_patch_point: a point of the patch finds its u and v.
+   A foot on a side, u, v or w exactly 0, is the one that n3_edge_nearest finds, so that both
+   patches of an edge return the same bits. NaN or infinite input: all NaN, side 0. About as long as
+   ten of n3_patch_jet for a point near the patch. */
+NAGATA3_API n3_foot n3_patch_nearest(const n3_patch *p, n3_vec q);
+
+/* The t in [0, 1] of the point of the curve nearest to q, over the whole curve; 1 - t, exactly,
+   from the other end. NaN or infinite input: 0. */
+NAGATA3_API n3_real n3_edge_nearest(const n3_edge *e, n3_vec q);
+
+/* Where the ray from + t along meets the patch. */
+typedef struct n3_hit {
+    n3_real t;
+    n3_vec x;     /* n3_patch_point at u, v */
+    n3_real u, v;
+    int side;     /* 1: the ray comes from where the normal looks to, and enters; -1: it leaves */
+} n3_hit;
+
+/* A straight line meets a cubic patch in at most nine points, unless it lies in it. */
+enum { N3_HITS = 9 };
+
+/* All hits with t0 <= t <= t1, ascending; returns their number. along is not zero, of any length.
+   Over the patches of a closed mesh that share their sides bit for bit, and whose triangles agree
+   about which side is outside, the sides of all hits of a whole line add up to zero, exactly,
+   through whatever edges and vertices the line goes: their number is even. A line that touches the
+   patch has two hits there or none; the hits in one that lies in it are those of rounding.
+   As long as ten of n3_patch_jet for a ray that hits once and does not graze. */
+NAGATA3_API int n3_patch_hits(const n3_patch *p, n3_vec from, n3_vec along, n3_real t0, n3_real t1,
+                              n3_hit hit[N3_HITS]);
+
+/* The first of them; returns whether there is one. */
+NAGATA3_API int n3_patch_hit(const n3_patch *p, n3_vec from, n3_vec along, n3_real t0, n3_real t1,
+                             n3_hit *hit);
+
+enum { N3_NO, N3_YES, N3_UNDECIDED };
+
+/* Whether the patch folds as seen along a direction, that is whether <direction, du x dv> is
+   anywhere 0 or below. Looks at as many parts of the patch as budget says, 1 at least, each about
+   300 flops, and leaves it undecided when they do not tell. */
+NAGATA3_API int n3_patch_folds(const n3_patch *p, n3_vec direction, int budget);
+
+/* The signed volume between the patch and the point from, the cone over it, positive where the
+   normal looks away from the point. moment, which may be NULL: the integral of x - from over it.
+   Summed over a closed surface they give its volume, wherever from is, and volume times (centroid -
+   from). Exact but for rounding, as long as the results are representable: 36 evaluations. */
+NAGATA3_API n3_real n3_patch_volume(const n3_patch *p, n3_vec from, n3_vec *moment);
+
+/* The area, to tolerance (relative; 0 stands for 16 N3_EPS) unless 2000 parts of the patch do not
+   settle it. centroid, which may be NULL: of the area. */
+NAGATA3_API n3_real n3_patch_area(const n3_patch *p, n3_real tolerance, n3_vec *centroid);
+
+/* The length of the curve, to tolerance in the same manner. */
+NAGATA3_API n3_real n3_edge_length(const n3_edge *e, n3_real tolerance);
 
 /* ---- Definitions: the mesh ---- */
 
@@ -1832,7 +1981,7 @@ NAGATA3_API n3_status n3_mesh_normals(const n3_mesh *m, const n3_topology *t, n3
 #define N3I_WIDE_API NAGATA3_API __attribute__((always_inline))
 #define N3I_UNROLL   _Pragma("GCC unroll 8")
 typedef n3_real n3i_wide __attribute__((vector_size(N3I_BYTES)));
-__extension__ typedef N3I_PICK(long long, int) n3i_mask __attribute__((vector_size(N3I_BYTES)));
+typedef __typeof__(*(n3i_wide *)0 > *(n3i_wide *)0) n3i_mask; /* integers of the same size */
 #else
 #define N3I_WIDE_API NAGATA3_API
 #define N3I_UNROLL
@@ -2108,6 +2257,62 @@ N3I_WIDE_API n3i_mask n3i_wide_edge_arc(n3i_wide_vertex v0, n3i_wide_vertex v1, 
     p[0] = n3i_wide_add(v0.x, n3i_wide_off(d, v0.n));
     p[1] = n3i_wide_sub(v1.x, n3i_wide_off(e, v1.n));
     return ok;
+}
+
+/* n3i_centre_cubic, from (6.1.10). */
+N3I_WIDE_API n3i_wide_vec n3i_wide_centre_cubic(const n3i_wide_vec p[9], const n3i_wide_vec n[3],
+                                                n3i_mask *ok)
+{
+    n3i_wide_vec corners = n3i_wide_add(n3i_wide_add(p[0], p[1]), p[2]), centre, x[3], v[3], mean;
+    n3i_wide K = n3i_wide_of(-(n3_real)3 / 64), three = n3i_wide_of(3), k, length;
+    int i;
+    centre = n3i_wide_add(n3i_wide_add(n3i_wide_add(p[4], p[7]), n3i_wide_add(p[8], p[5])),
+                          n3i_wide_add(p[3], p[6]));
+    centre = n3i_wide_sub(n3i_wide_over(centre, n3i_wide_of(4)),
+                          n3i_wide_over(corners, n3i_wide_of(6)));                 /* (6.1.10) */
+    mean = n3i_wide_over(corners, three);
+    for (i = 0; i < 3; i++) x[i] = n3i_wide_sub(p[i], mean);
+    mean = n3i_wide_over(n3i_wide_add(n3i_wide_add(n[0], n[1]), n[2]), three);
+    for (i = 0; i < 3; i++) v[i] = n3i_wide_sub(n[i], mean);
+    for (i = 0; i < 3; i++) {
+        n3i_wide_unit(n3i_wide_add(n[i], n[(i + 1) % 3]), &length, ok);
+        k = 1 / (1 + length / 2);
+        K += 3 * k * k / 16;
+    }
+    for (i = 0; i < 3; i++) {
+        int j = (i + 1) % 3;
+        n3i_wide A = n3i_wide_dot(x[i], v[j]) + n3i_wide_dot(x[j], v[i]);
+        centre = n3i_wide_sub(centre, n3i_wide_mul(K * A / 2, v[(i + 2) % 3]));
+    }
+    return centre;
+}
+
+/* n3_patch_centre_arc. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_centre_arc(const n3i_wide_vec p[9], const n3i_wide_vec n[3],
+                                              const n3i_wide_vec mid[3], n3i_mask *ok)
+{
+    n3i_wide_vec N = n3i_wide_add(n3i_wide_add(n[0], n[1]), n[2]);
+    n3i_wide_vec C = n3i_wide_centre_cubic(p, n, ok);
+    n3i_wide eighth = n3i_wide_of((n3_real)1 / 8), low, rc = 0 * eighth, cc = rc, length;
+    int i;
+    low = (n3_real)3 / 4 * n3i_wide_larger(n3i_wide_dot(N, N), eighth / 2);
+    for (i = 0; i < 3; i++) {
+        int j = (i + 1) % 3, k = (i + 2) % 3;
+        n3i_wide_vec p1 = p[3 + 2 * i], p2 = p[4 + 2 * i], x, facing, t, ne;
+        x = n3i_wide_add(
+            n3i_wide_add(n3i_wide_mul(eighth, p[i]), n3i_wide_mul(3 * eighth, p1)),
+            n3i_wide_add(n3i_wide_mul(3 * eighth, p2), n3i_wide_mul(eighth, p[j])));
+        facing = n3i_wide_add(p[3 + 2 * j], p[4 + 2 * k]);
+        facing = n3i_wide_mul(4 * eighth, facing);
+        x = n3i_wide_sub(n3i_wide_sub(n3i_wide_add(x, x), facing), C);
+        t = n3i_wide_add(n3i_wide_sub(p[j], p[i]), n3i_wide_sub(p2, p1));
+        t = n3i_wide_unit(t, &length, ok);
+        ne = n3i_wide_upright(t, n3i_wide_unit(mid[i], &length, ok), ok);
+        ne = n3i_wide_cross(ne, t);
+        rc += n3i_wide_dot(ne, x) * n3i_wide_dot(ne, N);
+        cc += n3i_wide_dot(ne, N) * n3i_wide_dot(ne, N);
+    }
+    return n3i_wide_add(C, n3i_wide_mul(rc / n3i_wide_larger(cc, low), N));
 }
 
 /* ---- Definitions: the net ---- */
@@ -2492,14 +2697,45 @@ NAGATA3_API void n3_mesh_edges(const n3_mesh *m, const n3_topology *t, const n3_
     }
 }
 
+/* Centres of the arc rule, of triangles first up to last, at most N3I_WIDTH. The rows are those of
+   n3i_wide_centre_arc: the sides' control points, the normals of the corners, and of the sides. */
+NAGATA3_API void n3i_arc_centres(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+                                 int first, int last, n3_vec *net)
+{
+    n3_vec row[N3I_WIDTH][15], *centre = net + m->points + 2 * t->edges;
+    const n3_real *from[N3I_WIDTH];
+    n3_real *to[N3I_WIDTH];
+    n3i_wide_vec v[15];
+    n3i_mask ok;
+    int i, k, node[10];
+    for (i = 0; i < N3I_WIDTH; i++) {
+        int f = first + i < last ? first + i : first;
+        n3_mesh_patch_nodes(m, t, f, node);
+        for (k = 0; k < 9; k++) row[i][k] = net[node[k]];
+        for (k = 0; k < 3; k++) row[i][9 + k] = n3i_corner_normal(m, 3 * f + k);
+        for (k = 0; k < 3; k++)
+            row[i][12 + k] = o->rule == N3_RULE_FIT
+                                 ? n3i_side_mid(m, t, 3 * f + k)
+                                 : n3_add(row[i][9 + k], row[i][9 + (k + 1) % 3]);
+        from[i] = &row[i][0].x;
+        to[i] = &centre[f].x;
+    }
+    n3i_load(from, 45, &v[0].x);
+    ok = (n3i_mask)(v[0].x <= v[0].x);
+    v[0] = n3i_wide_centre_arc(v, v + 9, v + 12, &ok);
+    n3i_store(&v[0].x, 3, to);
+    for (i = 0; i < N3I_WIDTH && first + i < last; i++)
+        if (!n3i_lane(ok, i)) centre[first + i] = n3i_mesh_centre(m, t, o, net, first + i);
+}
+
 NAGATA3_API void n3_mesh_centres(const n3_mesh *m, const n3_topology *t, const n3_options *o,
                                  int first, int last, n3_vec *net)
 {
     n3_vec *centre = net + m->points + 2 * t->edges;
-    for (; first < last; first++) {
-        centre[first] = n3_v(0, 0, 0);
-        centre[first] = n3i_mesh_centre(m, t, o, net, first);
-    }
+    memset(centre + first, 0, (size_t)(last - first) * sizeof *centre); /* they are read */
+    for (; n3i_is_arc(o) && first < last; first += N3I_WIDTH)
+        n3i_arc_centres(m, t, o, first, last - first < N3I_WIDTH ? last : first + N3I_WIDTH, net);
+    for (; first < last; first++) centre[first] = n3i_mesh_centre(m, t, o, net, first);
 }
 
 NAGATA3_API int n3_mesh_nodes(const n3_mesh *m, const n3_topology *t)
@@ -2700,25 +2936,46 @@ N3I_WIDE_API n3i_mask n3i_wide_lattice(const n3i_wide_vec q[10], int level, int 
     return ok;
 }
 
-/* In a patch of size 1 a normal du x dv that is longer is made by the wide form: its direction has
+/* One over the size of the patch, the root of the sum of squares of the ways from p003. */
+N3I_WIDE_API n3i_wide n3i_wide_inverse_size(const n3i_wide_vec q[10], n3i_mask *ok)
+{
+    n3i_wide size = n3i_wide_of(0);
+    n3i_mask some;
+    int i;
+    for (i = 1; i < 10; i++) {
+        n3i_wide_vec d = n3i_wide_sub(q[i], q[0]);
+        size += n3i_wide_dot(d, d);
+    }
+    some = (n3i_mask)(size > 0);
+    *ok &= some;
+    return 1 / n3i_wide_sqrt(n3i_pick(some, size, n3i_wide_of(1)));
+}
+
+/* In a patch of this size 1 a product du x dv that is longer makes the normal: its direction has
    half its digits (float: two thirds) at least. */
 #define N3I_CLEAR (N3I_PICK((n3_real)1 / 1048576, (n3_real)1 / 512))
+
+/* The unit normal where du x dv is longer than clear; others are not ok. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_normal(n3i_wide_vec du, n3i_wide_vec dv, n3_real clear,
+                                          n3i_mask *ok)
+{
+    n3i_wide_vec n = n3i_wide_cross(du, dv);
+    n3i_wide nn = n3i_wide_dot(n, n);
+    n3i_mask is_clear = (n3i_mask)(nn > clear * clear);
+    *ok &= is_clear;
+    return n3i_wide_mul(1 / n3i_wide_sqrt(n3i_pick(is_clear, nn, n3i_wide_of(1))), n);
+}
 
 /* The normals of a lattice, in the same rows. */
 N3I_WIDE_API n3i_mask n3i_wide_normals(const n3i_wide_vec q[10], int level, n3i_sink *sink)
 {
     n3i_wide_vec c[10], du[2], dv[2], s, t;
-    n3i_wide one = n3i_wide_of(1), size = n3i_wide_of(0), u, v = size, nn, *at = sink->held;
-    n3_real h = 1 / (n3_real)level, clear = N3I_CLEAR * h * h;
-    n3i_mask ok;
+    n3i_wide one = n3i_wide_of(1), u, v = 0 * one, size, *at = sink->held;
+    n3_real h = 1 / (n3_real)level;
+    n3i_mask ok = (n3i_mask)(one > 0);
     int i, j;
     n3i_wide_powers(q, h, c);
-    for (i = 1; i < 10; i++) {
-        s = n3i_wide_sub(q[i], q[0]);
-        size += n3i_wide_dot(s, s);
-    }
-    ok = (n3i_mask)(size > 0);
-    size = 1 / n3i_wide_sqrt(n3i_pick(ok, size, one));
+    size = n3i_wide_inverse_size(q, &ok);
     for (i = 1; i < 10; i++) c[i] = n3i_wide_mul(size, c[i]);
     for (j = 0; j <= level; j++, v += one) {
         du[0] = n3i_wide_step(n3i_wide_step(c[8], v, c[5]), v, c[1]);
@@ -2728,18 +2985,15 @@ N3I_WIDE_API n3i_mask n3i_wide_normals(const n3i_wide_vec q[10], int level, n3i_
         for (i = 0, u = 0 * one; i <= level - j; i++, u += one) {
             s = n3i_wide_step(n3i_wide_step(c[3], 3 * u, du[1]), u, du[0]);
             t = n3i_wide_step(n3i_wide_step(c[6], u, dv[1]), u, dv[0]);
-            s = n3i_wide_cross(s, t);
-            nn = n3i_wide_dot(s, s);
-            ok &= (n3i_mask)(nn > clear * clear);
-            at = n3i_put(sink, at, n3i_wide_mul(1 / n3i_wide_sqrt(n3i_pick(ok, nn, one)), s));
+            at = n3i_put(sink, at, n3i_wide_normal(s, t, N3I_CLEAR * h * h, &ok));
         }
     }
     n3i_flush(sink, at);
     return ok;
 }
 
-/* What is wanted of a lattice: its points, those inside, or its normals. */
-enum { N3I_POINTS, N3I_INSIDE, N3I_NORMALS };
+/* What is wanted: points, of a lattice those inside it, normals, jets. */
+enum { N3I_POINTS, N3I_INSIDE, N3I_NORMALS, N3I_JETS };
 
 /* What the wide form left out. */
 NAGATA3_API void n3i_plain_lattice(const n3_patch *p, int level, int what, n3_vec *out)
@@ -2822,7 +3076,149 @@ NAGATA3_API void n3_lattice_triangles(int first, int last, int level, int *trian
             }
 }
 
+/* w a + u b + v c */
+N3I_WIDE_API n3i_wide_vec n3i_wide_mix(n3i_wide w, n3i_wide_vec a, n3i_wide u, n3i_wide_vec b,
+                                       n3i_wide v, n3i_wide_vec c)
+{
+    return n3i_wide_add(n3i_wide_add(n3i_wide_mul(w, a), n3i_wide_mul(u, b)), n3i_wide_mul(v, c));
+}
+
+/* n3_patch_point off the sides; on them a lane is not ok. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_point(const n3i_wide_vec q[10], n3i_wide u, n3i_wide v,
+                                         n3i_mask *ok)
+{
+    n3i_wide w = 1 - u - v;
+    n3i_wide_vec corners = n3i_wide_mix(w * w * w, q[0], u * u * u, q[1], v * v * v, q[2]);
+    n3i_wide_vec ab = n3i_wide_add(n3i_wide_mul(3 * u * w * w, q[3]),
+                                   n3i_wide_mul(3 * u * u * w, q[4]));
+    n3i_wide_vec bc = n3i_wide_add(n3i_wide_mul(3 * u * u * v, q[5]),
+                                   n3i_wide_mul(3 * u * v * v, q[6]));
+    n3i_wide_vec ca = n3i_wide_add(n3i_wide_mul(3 * v * v * w, q[7]),
+                                   n3i_wide_mul(3 * v * w * w, q[8]));
+    *ok &= ((n3i_mask)(u < 0) | (n3i_mask)(u > 0)) & ((n3i_mask)(v < 0) | (n3i_mask)(v > 0)) &
+           ((n3i_mask)(w < 0) | (n3i_mask)(w > 0));
+    return n3i_wide_add(n3i_wide_add(corners, n3i_wide_mul(6 * u * v * w, q[9])),
+                        n3i_wide_add(n3i_wide_add(ab, bc), ca));                    /* (5.2.1) */
+}
+
+/* n3_patch_jet, but for the point. */
+typedef struct n3i_wide_jet { n3i_wide_vec x, du, dv, duu, duv, dvv; } n3i_wide_jet;
+
+N3I_WIDE_API n3i_wide_jet n3i_wide_jet_at(const n3i_wide_vec p[10], n3i_wide u, n3i_wide v)
+{
+    n3i_wide w = 1 - u - v, three = n3i_wide_of(3), six = n3i_wide_of(6);
+    n3i_wide_vec q[10], r002, r200, r020, r101, r110, r011, pw;
+    n3i_wide_jet j;
+    int i;
+    for (i = 0; i < 10; i++) q[i] = n3i_wide_sub(p[i], p[0]);
+    r002 = n3i_wide_mix(w, q[0], u, q[3], v, q[8]);
+    r200 = n3i_wide_mix(w, q[4], u, q[1], v, q[5]);
+    r020 = n3i_wide_mix(w, q[7], u, q[6], v, q[2]);
+    r101 = n3i_wide_mix(w, q[3], u, q[4], v, q[9]);
+    r110 = n3i_wide_mix(w, q[9], u, q[5], v, q[6]);
+    r011 = n3i_wide_mix(w, q[8], u, q[9], v, q[7]);
+    pw = n3i_wide_mix(w, r002, u, r101, v, r011);
+    j.x = p[0];
+    j.du = n3i_wide_mul(three, n3i_wide_sub(n3i_wide_mix(w, r101, u, r200, v, r110), pw));
+    j.dv = n3i_wide_mul(three, n3i_wide_sub(n3i_wide_mix(w, r011, u, r110, v, r020), pw));
+    j.duu = n3i_wide_sub(r002, r101);
+    j.dvv = n3i_wide_sub(r002, r011);
+    j.duv = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r110, r101), j.dvv));
+    j.duu = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r200, r101), j.duu));
+    j.dvv = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r020, r011), j.dvv));
+    return j;
+}
+
+/* What is wanted of N3I_WIDTH points: the point, the jet, or the normal, as numbers of a row. */
+N3I_WIDE_API n3i_mask n3i_wide_at(const n3i_wide_vec q[10], n3i_wide u, n3i_wide v, int what,
+                                  n3_real *const to[N3I_WIDTH])
+{
+    n3i_wide size;
+    n3i_mask ok = (n3i_mask)(u <= u);
+    n3i_wide_jet j;
+    if (what != N3I_POINTS) j = n3i_wide_jet_at(q, u, v);
+    if (what == N3I_NORMALS) {
+        size = n3i_wide_inverse_size(q, &ok);
+        j.x = n3i_wide_normal(n3i_wide_mul(size, j.du), n3i_wide_mul(size, j.dv), N3I_CLEAR, &ok);
+    } else {
+        j.x = n3i_wide_point(q, u, v, &ok);
+    }
+    n3i_store(&j.x.x, what == N3I_JETS ? 18 : 3, to);
+    return ok;
+}
+
+/* The plain form, into a row. */
+NAGATA3_API void n3i_plain_at(const n3_patch *p, const n3_real *uv, int what, n3_real *row)
+{
+    n3_jet j;
+    if (what == N3I_JETS) j = n3_patch_jet(p, uv[0], uv[1]);
+    else if (what == N3I_NORMALS) j.x = n3_patch_normal(p, uv[0], uv[1]);
+    else j.x = n3_patch_point(p, uv[0], uv[1]);
+    memcpy(row, &j, what == N3I_JETS ? sizeof j : sizeof j.x);
+}
+
+NAGATA3_API void n3i_evaluate(const n3_patch *patch, const int *parent, const n3_real *uv, int first,
+                              int last, int what, n3_real *out)
+{
+    const size_t size = what == N3I_JETS ? 18 : 3;
+    const int plain = what == N3I_POINTS && N3I_WIDTH < 4; /* as to gather takes longer */
+    for (; plain && first < last; first++, out += 3)
+        n3i_plain_at(&patch[parent[first]], uv + 2 * (size_t)first, what, out);
+    for (; first < last; first += N3I_WIDTH, out += N3I_WIDTH * size) {
+        const n3_real *from[N3I_WIDTH];
+        n3_real *to[N3I_WIDTH], row[2][N3I_WIDTH];
+        n3i_wide_vec q[10];
+        n3i_wide u, v;
+        n3i_mask ok;
+        int i;
+        for (i = 0; i < N3I_WIDTH; i++) {
+            int lane = first + i < last ? i : 0;
+            from[i] = &patch[parent[first + lane]].p[0].x;
+            to[i] = out + size * (size_t)lane;
+            row[0][i] = uv[2 * (size_t)(first + lane)];
+            row[1][i] = uv[2 * (size_t)(first + lane) + 1];
+        }
+        n3i_load(from, 30, &q[0].x);
+        memcpy(&u, row[0], sizeof u);
+        memcpy(&v, row[1], sizeof v);
+        ok = what == N3I_POINTS ? n3i_wide_at(q, u, v, N3I_POINTS, to)
+             : what == N3I_JETS ? n3i_wide_at(q, u, v, N3I_JETS, to)
+                                : n3i_wide_at(q, u, v, N3I_NORMALS, to);
+        for (i = 0; i < N3I_WIDTH && first + i < last; i++)
+            if (!n3i_lane(ok, i))
+                n3i_plain_at(&patch[parent[first + i]], uv + 2 * (size_t)(first + i), what, to[i]);
+    }
+}
+
+NAGATA3_API void n3_patch_points(const n3_patch *patch, const int *parent, const n3_real *uv,
+                                 int first, int last, n3_vec *point)
+{
+    n3i_evaluate(patch, parent, uv, first, last, N3I_POINTS, &point->x);
+}
+
+NAGATA3_API void n3_patch_jets(const n3_patch *patch, const int *parent, const n3_real *uv,
+                               int first, int last, n3_jet *jet)
+{
+    n3i_evaluate(patch, parent, uv, first, last, N3I_JETS, &jet->x.x);
+}
+
+NAGATA3_API void n3_patch_normals(const n3_patch *patch, const int *parent, const n3_real *uv,
+                                  int first, int last, n3_vec *normal)
+{
+    n3i_evaluate(patch, parent, uv, first, last, N3I_NORMALS, &normal->x);
+}
+
 /* ---- Definitions: refinement ---- */
+
+/* From its lower to its higher point. */
+NAGATA3_API n3_edge n3i_mesh_edge(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                  int edge)
+{
+    const n3_vec *handle = net + m->points + 2 * edge;
+    int end[2];
+    n3_mesh_edge_ends(m, t, edge, end);
+    return n3i_edge_of(net[end[0]], handle[0], handle[1], net[end[1]]);
+}
 
 NAGATA3_API n3_status n3_mesh_refine_counts(const n3_mesh *m, const n3_topology *t, int level,
                                             int *points, int *triangles, int *normals)
@@ -2875,9 +3271,9 @@ NAGATA3_API int n3i_lattice_point(const n3i_lattice *g, int i, int j)
     return g->inside + (j - 1) * (n - 1) - (j - 1) * j / 2 + i - 1;
 }
 
-/* Points of the edges: from the canonical end, so that numbering the points anew changes none. */
-NAGATA3_API void n3i_refine_edges(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
-                                  int level, n3_vec *point)
+/* From the canonical end, so that numbering the points anew changes none. */
+NAGATA3_API void n3_mesh_refine_edges(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                      int level, int first, int last, n3_vec *point)
 {
     const n3_real *from[N3I_WIDTH];
     n3_edge e[N3I_WIDTH];
@@ -2886,15 +3282,13 @@ NAGATA3_API void n3i_refine_edges(const n3_mesh *m, const n3_topology *t, const 
     n3i_wide *at;
     n3i_sink sink;
     n3i_mask ok;
-    int edge, i, k, end[2];
-    for (edge = 0; edge < t->edges; edge += N3I_WIDTH) {
+    int i, k;
+    for (point += m->points; level > 1 && first < last; first += N3I_WIDTH) {
         for (i = 0; i < N3I_WIDTH; i++) {
-            int lane = edge + i < t->edges ? edge + i : t->edges - 1;
-            const n3_vec *handle = net + m->points + 2 * lane;
-            n3_mesh_edge_ends(m, t, lane, end);
-            e[i] = n3i_edge_of(net[end[0]], handle[0], handle[1], net[end[1]]);
+            int edge = first + i < last ? first + i : last - 1;
+            e[i] = n3i_mesh_edge(m, t, net, edge);
             from[i] = &e[i].p[0].x;
-            sink.to[i] = &point[m->points + (level - 1) * lane].x;
+            sink.to[i] = &point[(level - 1) * edge].x;
         }
         n3i_load(from, 12, &p[0].x);
         ok = (n3i_mask)(p[0].x <= p[0].x);
@@ -2903,36 +3297,25 @@ NAGATA3_API void n3i_refine_edges(const n3_mesh *m, const n3_topology *t, const 
         for (i = 1, at = sink.held; i < level; i++)
             at = n3i_put(&sink, at, n3i_wide_side_next(&side, level));
         n3i_flush(&sink, at);
-        for (i = 0; i < N3I_WIDTH && edge + i < t->edges; i++)
+        for (i = 0; i < N3I_WIDTH && first + i < last; i++)
             for (k = 1; !n3i_lane(ok, i) && k < level; k++)
-                point[m->points + (level - 1) * (edge + i) + k - 1] = n3i_side_point(e[i], k, level);
+                point[(level - 1) * (first + i) + k - 1] = n3i_side_point(e[i], k, level);
     }
 }
 
-/* The lattices of all patches, those of collapsed triangles left out. */
+/* The lattices of the triangles, those of collapsed ones left out. */
 NAGATA3_API void n3i_refine_patches(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
-                                    int level, int what, n3_vec *out)
+                                    int level, int first, int last, int what, n3_vec *out)
 {
     n3_patch p[N3I_WIDTH];
-    int f, count = 0, size = n3i_inside(what == N3I_INSIDE ? level : level + 3);
-    for (f = 0; f < m->triangles; f++) {
-        if (!n3i_is_collapsed(m, f)) p[count++] = n3i_mesh_patch(m, t, net, f);
-        if (count == 0 || (count < N3I_WIDTH && f + 1 < m->triangles)) continue;
+    int count = 0, size = n3i_inside(what == N3I_INSIDE ? level : level + 3);
+    for (; first < last; first++) {
+        if (!n3i_is_collapsed(m, first)) p[count++] = n3i_mesh_patch(m, t, net, first);
+        if (count == 0 || (count < N3I_WIDTH && first + 1 < last)) continue;
         n3i_lattices(p, count, level, what, out);
         out += (size_t)count * (size_t)size;
         count = 0;
     }
-}
-
-NAGATA3_API void n3i_refine_points(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
-                                   int level, n3_vec *point)
-{
-    int i;
-    for (i = 0; i < m->points; i++) point[i] = net[i];
-    if (level < 2) return;
-    n3i_refine_edges(m, t, net, level, point);
-    if (level < 3) return;
-    n3i_refine_patches(m, t, net, level, N3I_INSIDE, point + m->points + (level - 1) * t->edges);
 }
 
 /* The triangles of a lattice between the rows j and j + 1: along both, one up, one down. */
@@ -2955,17 +3338,34 @@ NAGATA3_API int *n3i_refine_row(const n3i_lattice *g, int j, int *triangle)
     return triangle;
 }
 
-NAGATA3_API void n3i_refine_triangles(const n3_mesh *m, const n3_topology *t, int level,
-                                      int *triangle, int *corner)
+/* How many of the first triangles are not collapsed. */
+NAGATA3_API int n3i_live_before(const n3_mesh *m, const n3_topology *t, int triangle)
 {
-    int f, j, live = 0;
-    for (f = 0; f < m->triangles; f++) {
+    int f, live = triangle;
+    for (f = 0; t->collapsed && f < triangle; f++) live -= n3i_is_collapsed(m, f);
+    return live;
+}
+
+NAGATA3_API void n3_mesh_refine_triangles(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
+                                          int level, int first, int last, n3_vec *point,
+                                          int *triangle, n3_vec *normal, int *corner)
+{
+    int f, j, live = n3i_live_before(m, t, first), end = n3i_live_before(m, t, last);
+    size_t before = (size_t)live, each = 3 * (size_t)level * (size_t)level;
+    if (point && level > 2)
+        n3i_refine_patches(m, t, net, level, first, last, N3I_INSIDE,
+                           point + m->points + (level - 1) * t->edges + n3i_inside(level) * live);
+    if (normal)
+        n3i_refine_patches(m, t, net, level, first, last, N3I_NORMALS,
+                           normal + before * (size_t)n3i_inside(level + 3));
+    if (corner) n3_lattice_triangles(live, end, level, corner + before * each);
+    if (!triangle) return;
+    for (f = first, triangle += before * each; f < last; f++) {
         n3i_lattice g;
         if (n3i_is_collapsed(m, f)) continue;
         g = n3i_lattice_of(m, t, level, f, live++);
-        for (j = 0; triangle && j < level; j++) triangle = n3i_refine_row(&g, j, triangle);
+        for (j = 0; j < level; j++) triangle = n3i_refine_row(&g, j, triangle);
     }
-    if (corner) n3_lattice_triangles(0, live, level, corner);
 }
 
 /* From the last triangle to the first, so that the lowest stays. A collapsed one has no points
@@ -2996,12 +3396,13 @@ NAGATA3_API n3_status n3_mesh_refine(const n3_mesh *m, const n3_topology *t, con
                                      int *corner, int *parent, n3_real *uv)
 {
     n3_status status = n3i_check(m, t, NULL);
+    int i;
     if (status == N3_OK) status = n3_mesh_refine_counts(m, t, level, NULL, NULL, NULL);
     if (status != N3_OK) return status;
     if ((point || normal) && !net) return N3_NULL_POINTER;
-    if (point) n3i_refine_points(m, t, net, level, point);
-    if (triangle || corner) n3i_refine_triangles(m, t, level, triangle, corner);
-    if (normal) n3i_refine_patches(m, t, net, level, N3I_NORMALS, normal);
+    for (i = 0; point && i < m->points; i++) point[i] = net[i];
+    if (point) n3_mesh_refine_edges(m, t, net, level, 0, t->edges, point);
+    n3_mesh_refine_triangles(m, t, net, level, 0, m->triangles, point, triangle, normal, corner);
     if (parent || uv) n3i_refine_parents(m, t, level, parent, uv);
     return N3_OK;
 }
@@ -3450,15 +3851,6 @@ NAGATA3_API n3_real n3i_side_size(const n3i_bend *b, int side)
     return size;
 }
 
-NAGATA3_API n3_edge n3i_mesh_edge(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
-                                  int edge)
-{
-    const n3_vec *handle = net + m->points + 2 * edge;
-    int end[2];
-    n3_mesh_edge_ends(m, t, edge, end);
-    return n3i_edge_of(net[end[0]], handle[0], handle[1], net[end[1]]);
-}
-
 NAGATA3_API n3i_cut n3i_mesh_cut_of(const n3_topology *t, const n3_cut *cut, int triangle)
 {
     int i, side[3];
@@ -3870,6 +4262,1244 @@ NAGATA3_API n3_report n3_mesh_report(const n3_mesh *m, const n3_topology *t, con
         n3i_report_distance(m, &p, i, &r);
     }
     return r;
+}
+
+/* ---- Definitions: queries, boxes and parts ---- */
+
+NAGATA3_API n3_box n3_patch_box(const n3_patch *p)
+{
+    n3_box box;
+    int i;
+    box.lo = box.hi = p->p[0];
+    for (i = 1; i < 10; i++) {
+        n3_vec a = p->p[i];
+        box.lo = n3_v(a.x < box.lo.x ? a.x : box.lo.x, a.y < box.lo.y ? a.y : box.lo.y,
+                      a.z < box.lo.z ? a.z : box.lo.z);
+        box.hi = n3_v(n3i_larger(box.hi.x, a.x), n3i_larger(box.hi.y, a.y),
+                      n3i_larger(box.hi.z, a.z));
+    }
+    return box;
+}
+
+/* The searches below cut the domain in halves. A cell is a part of the patch: its net, a row of ten
+   for each coordinate, and the weights w, u, v of the patch at its three corners, all of them exact
+   multiples of powers of 1/2. A cell is cut from its corner 2 to the middle m of the side between
+   its corners 0 and 1, and m becomes the corner 2 of the halves, c a m and b c m:
+
+             c                     Every second cut halves all sides. De Casteljau at 1/2 along
+            /|\                    the rows that are parallel to ab makes both nets, from averages
+           / | \                   (p + q) / 2 alone. These are the same in either order, so that a
+          /  |  \                  side is cut into the same bits by the cells on both sides of it,
+         a - m - b                 also where these belong to different patches.
+
+   Nets shrink to their surface with the square of the cells' size: with d cuts, 2^-d times. After
+   N3I_CUTS of them that is rounding, and no search cuts further. Each puts off one half while it
+   looks at the other, so that there are never more than N3I_CUTS + 1 cells. */
+enum { N3I_CUTS = N3I_PICK(54, 26) };
+
+/* As many cells are looked at, or a few times as many. Degenerate patches can ask for more without
+   end; of random nets less than one in ten thousand does. */
+enum { N3I_CELLS = 500 };
+
+typedef struct n3i_cell { n3_real x[3][10], weight[3][3]; int cuts; } n3i_cell;
+
+typedef struct n3i_stack { n3i_cell cell[N3I_CUTS + 1]; int count; } n3i_stack;
+
+NAGATA3_API void n3i_cell_set(n3i_cell *c, int i, n3_vec a)
+{
+    c->x[0][i] = a.x;
+    c->x[1][i] = a.y;
+    c->x[2][i] = a.z;
+}
+
+NAGATA3_API n3_vec n3i_cell_at(const n3i_cell *c, int i)
+{
+    return n3_v(c->x[0][i], c->x[1][i], c->x[2][i]);
+}
+
+/* All of the patch, and nothing in its net yet. */
+NAGATA3_API void n3i_cell_start(n3i_cell *c)
+{
+    int i, k;
+    for (i = 0; i < 3; i++)
+        for (k = 0; k < 3; k++) c->weight[i][k] = i == k;
+    c->cuts = 0;
+}
+
+NAGATA3_API n3_real n3i_middle(n3_real a, n3_real b) { return (a + b) / 2; }
+
+NAGATA3_API void n3i_cut_row(const n3_real x[10], n3_real a[10], n3_real b[10])
+{
+    n3_real l = n3i_middle(x[0], x[3]), h = n3i_middle(x[3], x[4]), r = n3i_middle(x[4], x[1]);
+    n3_real lh = n3i_middle(l, h), hr = n3i_middle(h, r), m = n3i_middle(lh, hr);
+    n3_real s = n3i_middle(x[8], x[9]), t = n3i_middle(x[9], x[5]);
+    n3_real st = n3i_middle(s, t), top = n3i_middle(x[7], x[6]);
+    a[0] = b[1] = x[2];
+    a[1] = x[0];
+    b[0] = x[1];
+    a[2] = b[2] = m;
+    a[3] = x[7];
+    a[4] = x[8];
+    b[3] = x[5];
+    b[4] = x[6];
+    a[5] = l;
+    a[6] = lh;
+    b[7] = hr;
+    b[8] = r;
+    a[7] = b[6] = st;
+    a[8] = b[5] = top;
+    a[9] = s;
+    b[9] = t;
+}
+
+/* Replaces the top of the stack, of which c is a copy, by the halves of c; rows of the net. */
+NAGATA3_API void n3i_cell_cut(n3i_stack *stack, const n3i_cell *c, int rows)
+{
+    n3i_cell *a = &stack->cell[stack->count], *b = a + 1;
+    int k;
+    for (k = 0; k < rows; k++) n3i_cut_row(c->x[k], a->x[k], b->x[k]);
+    for (k = 0; k < 3; k++) {
+        a->weight[0][k] = b->weight[1][k] = c->weight[2][k];
+        a->weight[1][k] = c->weight[0][k];
+        b->weight[0][k] = c->weight[1][k];
+        a->weight[2][k] = b->weight[2][k] = n3i_middle(c->weight[0][k], c->weight[1][k]);
+    }
+    a->cuts = b->cuts = c->cuts + 1;
+    stack->count += 2;
+}
+
+/* The largest of a row's numbers from the first up to but not with the last. */
+NAGATA3_API n3_real n3i_highest(const n3_real *x, int first, int last)
+{
+    n3_real high = x[first];
+    int i;
+    for (i = first + 1; i < last; i++) high = n3i_larger(high, x[i]);
+    return high;
+}
+
+/* A number not below the coordinate's maximum over the patch, and not more than gap above: the
+   numbers at the corners are values, and no value is above all of the net's. */
+NAGATA3_API n3_real n3i_ridge(const n3_real x[10], n3_real gap)
+{
+    n3i_stack stack;
+    n3_real found = n3i_highest(x, 0, 3), bound = found;
+    int looked = 0;
+    n3i_cell_start(&stack.cell[0]);
+    memcpy(stack.cell[0].x[0], x, sizeof stack.cell[0].x[0]);
+    stack.count = 1;
+    while (stack.count > 0) {
+        n3i_cell c = stack.cell[--stack.count];
+        n3_real high = n3i_highest(c.x[0], 0, 10);
+        found = n3i_larger(found, n3i_highest(c.x[0], 0, 3));
+        if (high > found + gap && c.cuts < N3I_CUTS && ++looked < N3I_CELLS) {
+            n3i_cell_cut(&stack, &c, 1);
+            continue;
+        }
+        bound = n3i_larger(bound, high);
+    }
+    return bound;
+}
+
+NAGATA3_API n3_box n3_patch_box_tight(const n3_patch *p, n3_real tolerance)
+{
+    n3_box net = n3_patch_box(p);
+    n3_real side[6], x[10], gap;
+    int i, k;
+    gap = n3i_larger(tolerance, N3_EPS) * n3i_largest(n3_sub(net.hi, net.lo));
+    for (k = 0; k < 6; k++) {
+        for (i = 0; i < 10; i++) {
+            n3_vec a = p->p[i];
+            x[i] = k % 3 == 0 ? a.x : k % 3 == 1 ? a.y : a.z;
+            if (k < 3) x[i] = -x[i];
+        }
+        side[k] = n3i_ridge(x, gap);
+    }
+    net.lo = n3_v(-side[0], -side[1], -side[2]);
+    net.hi = n3_v(side[3], side[4], side[5]);
+    return net;
+}
+
+/* With l_ijk = (k a + i b + j c) / 3 in place of p_ijk the patch is its triangle. So the difference
+   is sum (p_ijk - l_ijk) B_ijk, which has no term at the corners, and the B of the others sum to
+   1 - u^3 - v^3 - w^3 <= 8/9, with equality in the middle. */
+NAGATA3_API n3_real n3_patch_flatness(const n3_patch *p)
+{
+    static const int part[7][3] = {{2, 1, 0}, {1, 2, 0}, {0, 2, 1}, {0, 1, 2},
+                                   {1, 0, 2}, {2, 0, 1}, {1, 1, 1}};
+    n3_real farthest = 0;
+    int i;
+    for (i = 0; i < 7; i++) {
+        n3_vec sum = n3_v(0, 0, 0);
+        int k;
+        for (k = 0; k < 3; k++)
+            sum = n3_add(sum, n3_mul((n3_real)part[i][k], n3_sub(p->p[3 + i], p->p[k])));
+        farthest = n3i_larger(farthest, n3_len(sum));
+    }
+    return farthest / 3 * 8 / 9;
+}
+
+/* The polar form b(x, y, z) of the patch is linear in each of three points of the domain, does not
+   depend on their order, and b(x, x, x) is the patch. The part with the corners A, B, C has the
+   control points b(A^k, B^i, C^j). An argument takes a net of degree n to one of degree n - 1:
+   q_ijk = w p_ij(k+1) + u p_(i+1)jk + v p_i(j+1)k. Nets lie in rows of constant j here. */
+NAGATA3_API void n3i_polar(const n3_vec *from, int n, n3_real u, n3_real v, n3_vec *to)
+{
+    n3_real w = 1 - u - v;
+    int i, j;
+    for (j = 0; j < n; j++, from++)
+        for (i = 0; i < n - j; i++, from++)
+            *to++ = n3i_mix(w, from[0], u, from[1], v, from[n + 1 - j]);
+}
+
+/* Arguments are taken in the order of their u, then v, so that parts agree on what they share. */
+NAGATA3_API n3_patch n3_patch_part(const n3_patch *p, const n3_real uv[6])
+{
+    static const int row[10] = {0, 3, 4, 1, 8, 9, 5, 7, 6, 2};
+    static const int point[3][3][3] = {{{0, 3, 8}, {3, 4, 9}, {8, 9, 7}},
+                                       {{3, 4, 9}, {4, 1, 5}, {9, 5, 6}},
+                                       {{8, 9, 7}, {9, 5, 6}, {7, 6, 2}}};
+    n3_vec cubic[10], quadratic[6], linear[3], corner[3];
+    n3_patch r = *p;
+    int i, k, l, a[3];
+    for (i = 0; i < 10; i++) cubic[i] = p->p[row[i]];
+    for (i = 0; i < 3; i++) {
+        corner[i] = n3_v(uv[2 * i], uv[2 * i + 1], 0);
+        for (k = i; k > 0 && n3i_order(corner[a[k - 1]], corner[i]) > 0; k--) a[k] = a[k - 1];
+        a[k] = i;
+    }
+    for (i = 0; i < 3; i++) {
+        n3i_polar(cubic, 3, corner[a[i]].x, corner[a[i]].y, quadratic);
+        for (k = i; k < 3; k++) {
+            n3i_polar(quadratic, 2, corner[a[k]].x, corner[a[k]].y, linear);
+            for (l = k; l < 3; l++)
+                n3i_polar(linear, 1, corner[a[l]].x, corner[a[l]].y, &r.p[point[a[i]][a[k]][a[l]]]);
+        }
+    }
+    return r;
+}
+
+NAGATA3_API void n3_patch_split(const n3_patch *p, n3_real u, n3_real v, n3_patch out[3])
+{
+    int i, k;
+    for (i = 0; i < 3; i++) {
+        n3_real uv[6];
+        for (k = 0; k < 6; k++) uv[k] = k == 2 || k == 5;
+        uv[2 * i] = u;
+        uv[2 * i + 1] = v;
+        out[i] = n3_patch_part(p, uv);
+    }
+}
+
+NAGATA3_API void n3_patch_split4(const n3_patch *p, n3_patch out[4])
+{
+    static const int twice[4][6] = {
+        {0, 0, 1, 0, 0, 1}, {1, 0, 2, 0, 1, 1}, {0, 1, 1, 1, 0, 2}, {1, 1, 0, 1, 1, 0}};
+    int i, k;
+    for (i = 0; i < 4; i++) {
+        n3_real uv[6];
+        for (k = 0; k < 6; k++) uv[k] = (n3_real)twice[i][k] / 2;
+        out[i] = n3_patch_part(p, uv);
+    }
+}
+
+/* p times u + v + w: 4 q_ijk = i p_(i-1)jk + j p_i(j-1)k + k p_ij(k-1). */
+NAGATA3_API void n3_patch_raise(const n3_patch *p, n3_vec out[15])
+{
+    static const int side[3][4] = {{0, 3, 4, 1}, {1, 5, 6, 2}, {2, 7, 8, 0}};
+    static const int inner[3][3] = {{9, 3, 8}, {9, 5, 4}, {9, 7, 6}};
+    const n3_vec *q = p->p;
+    int i, k;
+    for (i = 0; i < 3; i++) {
+        out[i] = q[i];
+        for (k = 1; k < 4; k++) {
+            n3_vec a = q[side[i][k - 1]], b = q[side[i][k]];
+            n3_vec sum = n3_add(n3_mul((n3_real)k, a), n3_mul((n3_real)(4 - k), b));
+            out[2 + 3 * i + k] = n3i_over(sum, 4);
+        }
+        out[12 + i] = n3i_over(n3_add(n3_mul(2, q[inner[i][0]]),
+                                      n3_add(q[inner[i][1]], q[inner[i][2]])), 4);
+    }
+}
+
+/* ---- Definitions: queries, curvature ---- */
+
+/* With the orthonormal t1 = du / |du|, t2 = n x t1: du = a t1, dv = b t1 + c t2. The shape operator
+   S, symmetric, makes L = S11 a^2, M = a (S11 b + S12 c), N = S11 b^2 + 2 S12 b c + S22 c^2. Its
+   eigenvalues are mean +- root; the eigenvector is taken from the row that does not cancel. */
+NAGATA3_API void n3i_principal(n3_real s11, n3_real s12, n3_real s22, n3_vec t1, n3_curvature *r)
+{
+    n3_vec t2 = n3_cross(r->normal, t1);
+    n3_real half = n3i_middle(s11, -s22), root = n3_len(n3_v(half, s12, 0)), x, y;
+    r->mean = n3i_middle(s11, s22);
+    r->gauss = s11 * s22 - s12 * s12;
+    r->k[0] = r->mean + root;
+    r->k[1] = r->mean - root;
+    x = half >= 0 ? root + half : n3i_abs(s12);
+    y = half >= 0 ? s12 : s12 < 0 ? half - root : root - half;
+    r->t[0] = n3_unit(n3_add(n3_mul(x, t1), n3_mul(y, t2)));
+    if (!(root > N3_NOISE * n3i_larger(r->k[0], -r->k[1]))) r->t[0] = t1;
+    r->t[1] = n3_cross(r->normal, r->t[0]);
+}
+
+NAGATA3_API n3_curvature n3_patch_curvature(const n3_patch *p, n3_real u, n3_real v)
+{
+    n3_jet j = n3_patch_jet(p, u, v);
+    n3_curvature r;
+    n3_real size = n3i_larger(n3_len(j.du), n3_len(j.dv)), a, b, c, s11, s12;
+    n3_vec t1 = n3_unit(j.du), du, dv;
+    memset(&r, 0, sizeof r);
+    r.normal = n3_patch_normal(p, u, v);
+    r.E = n3_dot(j.du, j.du);
+    r.F = n3_dot(j.du, j.dv);
+    r.G = n3_dot(j.dv, j.dv);
+    r.L = n3_dot(r.normal, j.duu);
+    r.M = n3_dot(r.normal, j.duv);
+    r.N = n3_dot(r.normal, j.dvv);
+    if (!(size > 0)) return r;
+    du = n3i_over(j.du, size);
+    dv = n3i_over(j.dv, size);
+    if (!(n3_len(n3_cross(du, dv)) > N3_NOISE)) return r;
+    a = n3_len(du);
+    b = n3_dot(dv, t1);
+    c = n3_dot(dv, n3_cross(r.normal, t1));
+    s11 = r.L / size / a / a;
+    s12 = (r.M / size / a - b * s11) / c;
+    n3i_principal(s11 / size, s12 / size, (r.N / size - b * (b * s11 + 2 * c * s12)) / c / c / size,
+                  t1, &r);
+    return r;
+}
+
+/* ---- Definitions: queries, the nearest point ---- */
+
+/* Of a squared distance what its bounds cannot tell: they are sums of products of control points,
+   in units of the square of the largest distance to one. */
+#define N3_BOUND (16 * N3_EPS)
+
+/* A foot whose weight at a corner is at most this is on the side across. */
+#define N3_ON_SIDE (64 * N3_EPS)
+
+/* A step of Newton's this long is the last: the next would be as long as its square. */
+#define N3_LAST_STEP (N3I_PICK((n3_real)1 / 67108864, (n3_real)1 / 4096))
+
+/* The squared distance along a curve, seen from the point, and its least value so far. */
+typedef struct n3i_near1 { n3_real t, d; } n3i_near1;
+
+/* The Bernstein coefficients of |x|^2, of degree 6, from the products of the control points. */
+NAGATA3_API void n3i_square1(const n3_vec p[4], n3_real c[7])
+{
+    c[0] = n3_dot(p[0], p[0]);
+    c[1] = n3_dot(p[0], p[1]);
+    c[2] = (2 * n3_dot(p[0], p[2]) + 3 * n3_dot(p[1], p[1])) / 5;
+    c[3] = (n3_dot(p[0], p[3]) + 9 * n3_dot(p[1], p[2])) / 10;
+    c[4] = (2 * n3_dot(p[1], p[3]) + 3 * n3_dot(p[2], p[2])) / 5;
+    c[5] = n3_dot(p[2], p[3]);
+    c[6] = n3_dot(p[3], p[3]);
+}
+
+/* Value at t of the polynomial of degree n with the Bernstein coefficients c, and n times less than
+   its derivative. */
+NAGATA3_API n3_real n3i_bernstein(const n3_real *c, int n, n3_real t, n3_real *slope)
+{
+    n3_real b[7];
+    int i, k;
+    for (i = 0; i <= n; i++) b[i] = c[i];
+    for (k = n; k > 1; k--)
+        for (i = 0; i < k; i++) b[i] = (1 - t) * b[i] + t * b[i + 1];
+    *slope = b[1] - b[0];
+    return (1 - t) * b[0] + t * b[1];
+}
+
+/* The minimum of a convex polynomial of degree 6 on [0, 1]: Newton on its derivative, held between
+   arguments where this is below and above zero. */
+NAGATA3_API n3_real n3i_minimum1(const n3_real c[7])
+{
+    n3_real g[6], lo = 0, hi = 1, t, value, slope;
+    int i;
+    for (i = 0; i < 6; i++) g[i] = c[i + 1] - c[i];
+    if (g[0] >= 0) return 0;
+    if (g[5] <= 0) return 1;
+    t = g[0] / (g[0] - g[5]);
+    for (i = 0; i < 2 * N3I_CUTS; i++) {
+        n3_real last = t;
+        value = n3i_bernstein(g, 5, t, &slope);
+        if (value > 0) hi = t;
+        else lo = t;
+        t -= slope > 0 ? value / (5 * slope) : 1;
+        if (!(t > lo && t < hi)) t = n3i_middle(lo, hi);
+        if (!(n3i_abs(t - last) > N3_EPS)) break;
+    }
+    return t;
+}
+
+/* Looks at the part of the curve from t on that is h long in t, in the curve's own units; returns
+   whether it has to be halved. */
+NAGATA3_API int n3i_look1(const n3_edge *e, n3_real t, n3_real h, n3i_near1 *best)
+{
+    n3_real c[7], low, high, s, slope, d;
+    int i, convex = 1;
+    n3i_square1(e->p, c);
+    low = high = c[0];
+    for (i = 0; i < 7; i++) {
+        low = c[i] < low ? c[i] : low;
+        high = n3i_larger(high, c[i]);
+        if (i < 5 && c[i] - c[i + 1] + (c[i + 2] - c[i + 1]) < 0) convex = 0;
+    }
+    if (!(low < best->d - N3_BOUND * high)) return 0;
+    s = convex ? n3i_minimum1(c) : c[0] <= c[6] ? 0 : 1;
+    d = n3i_bernstein(c, 6, s, &slope);
+    if (d < best->d) {
+        best->d = d;
+        best->t = t + h * s;
+    }
+    return !convex;
+}
+
+/* Over the whole curve, in canonical direction and relative to the point, size 1. */
+NAGATA3_API n3i_near1 n3i_search1(const n3_edge *whole)
+{
+    n3_edge stack[N3I_CUTS + 1];
+    n3_real start[N3I_CUTS + 1], length[N3I_CUTS + 1];
+    n3i_near1 best;
+    int count = 1, looked = 0;
+    best.t = start[0] = 0;
+    best.d = 4;
+    length[0] = 1;
+    stack[0] = *whole;
+    while (count > 0 && looked++ < N3I_CELLS) {
+        n3_edge e = stack[--count];
+        n3_real t = start[count], h = length[count] / 2;
+        if (!n3i_look1(&e, t, 2 * h, &best) || count + 2 > N3I_CUTS) continue;
+        n3_edge_split(&e, (n3_real)1 / 2, &stack[count]);
+        start[count] = t;
+        start[count + 1] = t + h;
+        length[count] = length[count + 1] = h;
+        count += 2;
+    }
+    return best;
+}
+
+/* The differences to a point, divided by the largest of their components; returns this. */
+NAGATA3_API n3_real n3i_relative(const n3_vec *p, int count, n3_vec q, n3_vec *out)
+{
+    n3_real size = 0;
+    int i;
+    for (i = 0; i < count; i++) {
+        out[i] = n3_sub(p[i], q);
+        size = n3i_larger(size, n3i_largest(out[i]));
+    }
+    for (i = 0; i < count && size > 0; i++) out[i] = n3_mul(1 / size, out[i]);
+    return size;
+}
+
+/* 1 - t is exact in the end, and 1 - (1 - t) is t. */
+NAGATA3_API n3_real n3_edge_nearest(const n3_edge *e, n3_vec q)
+{
+    int back = n3i_edge_order(e) > 0;
+    n3_edge c = back ? n3_edge_reverse(e) : *e;
+    n3_real t;
+    n3i_relative(c.p, 4, q, c.p);
+    t = n3i_search1(&c).t;
+    t = t <= N3_ON_SIDE ? 1 : 1 - t <= N3_ON_SIDE ? 0 : 1 - t;
+    return back ? t : 1 - t;
+}
+
+/* The patch seen from the point, the squared distance d = <x, x> at the weights w, and half of its
+   first and second derivatives in u and v: g, h as uu, uv, vv. gauss: h without <x, x_uu>. */
+typedef struct n3i_form { n3_real d, g[2], h[3], gauss[3]; } n3i_form;
+
+/* Value, du, dv, duu, duv, dvv of a row, as in n3_patch_jet. */
+NAGATA3_API void n3i_row_jet(const n3_real x[10], const n3_real w[3], n3_real j[6])
+{
+    n3_real r002 = w[0] * x[0] + w[1] * x[3] + w[2] * x[8];
+    n3_real r200 = w[0] * x[4] + w[1] * x[1] + w[2] * x[5];
+    n3_real r020 = w[0] * x[7] + w[1] * x[6] + w[2] * x[2];
+    n3_real r101 = w[0] * x[3] + w[1] * x[4] + w[2] * x[9];
+    n3_real r110 = w[0] * x[9] + w[1] * x[5] + w[2] * x[6];
+    n3_real r011 = w[0] * x[8] + w[1] * x[9] + w[2] * x[7];
+    n3_real pw = w[0] * r002 + w[1] * r101 + w[2] * r011;
+    n3_real pu = w[0] * r101 + w[1] * r200 + w[2] * r110;
+    n3_real pv = w[0] * r011 + w[1] * r110 + w[2] * r020;
+    j[0] = w[0] * pw + w[1] * pu + w[2] * pv;
+    j[1] = 3 * (pu - pw);
+    j[2] = 3 * (pv - pw);
+    j[3] = 6 * (r200 - r101 + (r002 - r101));
+    j[4] = 6 * (r110 - r101 + (r002 - r011));
+    j[5] = 6 * (r020 - r011 + (r002 - r011));
+}
+
+NAGATA3_API n3i_form n3i_form_at(const n3i_cell *c, const n3_real w[3])
+{
+    n3i_form f;
+    int k, i;
+    memset(&f, 0, sizeof f);
+    for (k = 0; k < 3; k++) {
+        n3_real j[6];
+        n3i_row_jet(c->x[k], w, j);
+        f.d += j[0] * j[0];
+        f.g[0] += j[0] * j[1];
+        f.g[1] += j[0] * j[2];
+        f.gauss[0] += j[1] * j[1];
+        f.gauss[1] += j[1] * j[2];
+        f.gauss[2] += j[2] * j[2];
+        for (i = 0; i < 3; i++) f.h[i] += j[0] * j[3 + i];
+    }
+    for (i = 0; i < 3; i++) f.h[i] += f.gauss[i];
+    return f;
+}
+
+/* Whether a step leads out of the triangle at once. */
+NAGATA3_API int n3i_is_blocked(const n3_real w[3], const n3_real step[3])
+{
+    int i;
+    for (i = 0; i < 3; i++)
+        if (w[i] <= 0 && step[i] < 0) return 1;
+    return 0;
+}
+
+/* Newton's step h step = -g; where h is not positive definite, by Gauss and Newton. */
+NAGATA3_API void n3i_free_step(const n3i_form *f, n3_real step[3])
+{
+    const n3_real *h = f->h;
+    n3_real det = h[0] * h[2] - h[1] * h[1], ridge = 0;
+    if (!(h[0] > 0 && det > N3_NOISE * h[0] * h[2])) {
+        h = f->gauss;
+        ridge = (h[0] + h[2]) / 1024;
+        det = h[0] * h[2] - h[1] * h[1] + ridge * (h[0] + h[2] + ridge);
+    }
+    step[1] = step[2] = step[0] = 0;
+    if (!(det > 0)) return;
+    step[1] = (h[1] * f->g[1] - (h[2] + ridge) * f->g[0]) / det;
+    step[2] = (h[1] * f->g[0] - (h[0] + ridge) * f->g[1]) / det;
+    step[0] = -step[1] - step[2];
+}
+
+/* The same along the side across corner i. */
+NAGATA3_API void n3i_side_step(const n3i_form *f, int i, n3_real step[3])
+{
+    n3_real e[3], h, g;
+    e[i] = 0;
+    e[(i + 1) % 3] = 1;
+    e[(i + 2) % 3] = -1;
+    g = f->g[0] * e[1] + f->g[1] * e[2];
+    h = f->h[0] * e[1] * e[1] + 2 * f->h[1] * e[1] * e[2] + f->h[2] * e[2] * e[2];
+    if (!(h > 0))
+        h = f->gauss[0] * e[1] * e[1] + 2 * f->gauss[1] * e[1] * e[2] + f->gauss[2] * e[2] * e[2];
+    for (i = 0; i < 3; i++) step[i] = h > 0 ? -g / h * e[i] : 0;
+}
+
+/* A step that stays in the triangle, along a side if need be; the zero step where d has a minimum
+   on the triangle. next: where it leads, no farther than to the next side. Returns its size. */
+NAGATA3_API n3_real n3i_step(const n3i_form *f, const n3_real w[3], n3_real next[3])
+{
+    n3_real step[3], part = 1;
+    int i, across = -1;
+    n3i_free_step(f, step);
+    for (i = 0; i < 3 && n3i_is_blocked(w, step); i++)
+        if (w[i] <= 0) n3i_side_step(f, i, step);
+    if (n3i_is_blocked(w, step)) return 0;
+    for (i = 0; i < 3; i++)
+        if (w[i] + part * step[i] < 0) {
+            part = w[i] / -step[i];
+            across = i;
+        }
+    for (i = 0; i < 3; i++) next[i] = i == across ? 0 : w[i] + part * step[i];
+    return part * n3i_larger(n3i_larger(n3i_abs(step[0]), n3i_abs(step[1])), n3i_abs(step[2]));
+}
+
+/* From w to a minimum of d on the triangle. A step that does not go down is halved; one shorter
+   than the root of eps is the last, as the next would be rounding. Returns d there. */
+NAGATA3_API n3_real n3i_descend(const n3i_cell *c, n3_real w[3])
+{
+    n3i_form f = n3i_form_at(c, w);
+    n3_real next[3], size = 0;
+    int i, k, halve = 0;
+    for (i = 0; i < N3I_CUTS; i++) {
+        n3i_form g;
+        if (!halve) size = n3i_step(&f, w, next);
+        if (!(size > 0)) break;
+        g = n3i_form_at(c, next);
+        halve = g.d > f.d && size > N3_LAST_STEP;
+        size /= 2;
+        for (k = 0; k < 3; k++) {
+            if (halve) next[k] = n3i_middle(w[k], next[k]);
+            else w[k] = next[k];
+        }
+        if (halve) continue;
+        f = g;
+        if (2 * size <= N3_LAST_STEP) break;
+    }
+    return f.d;
+}
+
+/* The least squared distance so far: the weights on the patch, and the point. */
+typedef struct n3i_near2 { n3_real w[3], d; n3_vec x; } n3i_near2;
+
+/* The Bernstein coefficients of |x|^2, of degree 6, at [i][j], the exponents of u and v: of each
+   pair of control points the product, times the ratio of the trinomials. */
+NAGATA3_API void n3i_square2(const n3i_cell *c, n3_real out[7][7])
+{
+    static const int row[10] = {0, 3, 4, 1, 8, 9, 5, 7, 6, 2}, times[10] = {1, 3, 3, 1, 3, 6, 3, 3, 3, 1};
+    static const int u[10] = {0, 1, 2, 3, 0, 1, 2, 0, 1, 0}, v[10] = {0, 0, 0, 0, 1, 1, 1, 2, 2, 3};
+    static const int factorial[7] = {1, 1, 2, 6, 24, 120, 720};
+    n3_vec p[10];
+    int a, b;
+    memset(out, 0, 49 * sizeof(n3_real));
+    for (a = 0; a < 10; a++) {
+        p[a] = n3_mul((n3_real)times[a], n3i_cell_at(c, row[a]));
+        out[2 * u[a]][2 * v[a]] += n3_dot(p[a], p[a]);
+        for (b = 0; b < a; b++) out[u[a] + u[b]][v[a] + v[b]] += 2 * n3_dot(p[a], p[b]);
+    }
+    for (a = 0; a < 7; a++)
+        for (b = 0; a + b < 7; b++)
+            out[a][b] *= (n3_real)(factorial[a] * factorial[b] * factorial[6 - a - b]) / 720;
+}
+
+/* Second differences are a thirtieth of the Bernstein coefficients of the second derivatives, and a
+   matrix with those of the same exponents is one coefficient of the Hessian. Returns m >= 0 such
+   that no eigenvalue of any of them is below -m; so -30 m is a bound for the Hessian's, and 0 says
+   that the polynomial is convex. */
+NAGATA3_API n3_real n3i_concavity(n3_real q[7][7])
+{
+    n3_real most = 0;
+    int i, j;
+    for (i = 0; i < 5; i++)
+        for (j = 0; i + j < 5; j++) {
+            n3_real uu = q[i + 2][j] - q[i + 1][j] - (q[i + 1][j] - q[i][j]);
+            n3_real vv = q[i][j + 2] - q[i][j + 1] - (q[i][j + 1] - q[i][j]);
+            n3_real uv = q[i + 1][j + 1] - q[i + 1][j] - (q[i][j + 1] - q[i][j]);
+            n3_real half = n3i_middle(uu, -vv);
+            if (uu > 0 && uu * vv > uv * uv) continue;
+            most = n3i_larger(most, n3i_sqrt(half * half + uv * uv) - n3i_middle(uu, vv));
+        }
+    return most;
+}
+
+/* Descends in a cell, from weights on it; returns the d of the minimum. */
+NAGATA3_API n3_real n3i_improve(const n3i_cell *c, n3_real w[3], n3i_near2 *best)
+{
+    n3_real j[3][6], d = n3i_descend(c, w);
+    int k;
+    if (!(d < best->d)) return d;
+    best->d = d;
+    for (k = 0; k < 3; k++) {
+        n3i_row_jet(c->x[k], w, j[k]);
+        best->w[k] = w[0] * c->weight[0][k] + w[1] * c->weight[1][k] + w[2] * c->weight[2][k];
+    }
+    best->x = n3_v(j[0][0], j[1][0], j[2][0]);
+    return d;
+}
+
+/* No point of the cell is nearer than the best when all its control points lie beyond the plane
+   through that, across the way to it. */
+NAGATA3_API int n3i_is_beyond(const n3i_cell *c, const n3i_near2 *best)
+{
+    n3_real level = best->d - N3_BOUND * n3i_largest(best->x);
+    int i;
+    for (i = 0; i < 10; i++)
+        if (!(n3_dot(n3i_cell_at(c, i), best->x) >= level)) return 0;
+    return 1;
+}
+
+/* The weights of the point of the triangle of the corners that is nearest, or of one on its sides
+   that is not far from that. */
+NAGATA3_API void n3i_project(const n3i_cell *c, n3_real w[3])
+{
+    n3_vec x = n3i_cell_at(c, 0), b = n3_sub(n3i_cell_at(c, 1), x), e = n3_sub(n3i_cell_at(c, 2), x);
+    n3_real bb = n3_dot(b, b), be = n3_dot(b, e), ee = n3_dot(e, e), det = bb * ee - be * be, sum;
+    n3_real xb = n3_dot(x, b), xe = n3_dot(x, e);
+    w[0] = w[1] = w[2] = (n3_real)1 / 3;
+    if (!(det > N3_NOISE * bb * ee)) return;
+    w[1] = n3i_larger((be * xe - ee * xb) / det, 0);
+    w[2] = n3i_larger((be * xb - bb * xe) / det, 0);
+    w[0] = n3i_larger(1 - w[1] - w[2], 0);
+    sum = w[0] + w[1] + w[2];
+    w[1] /= sum;
+    w[2] /= sum;
+    w[0] /= sum;
+}
+
+/* Looks at a cell; returns whether it has to be cut. No value of d is below the least coefficient.
+   Nor, with the Hessian's eigenvalues above -30 m and a minimum at y, below d(y) - 30 m: at z on the
+   cell it is at least d(y) + <gradient, z - y> - 15 m |z - y|^2, the second is not negative, and
+   |z - y|^2 <= 2. The first bound takes the shape of the cell, the second what is not convex. */
+NAGATA3_API int n3i_look2(const n3i_cell *c, n3i_near2 *best)
+{
+    n3_real q[7][7], w[3], low, high, corner, concave, d = best->d;
+    int i, j;
+    if (n3i_is_beyond(c, best)) return 0;
+    n3i_square2(c, q);
+    low = high = q[0][0];
+    for (i = 0; i < 7; i++)
+        for (j = 0; i + j < 7; j++) {
+            low = q[i][j] < low ? q[i][j] : low;
+            high = n3i_larger(high, q[i][j]);
+        }
+    high *= N3_BOUND;
+    if (!(low < best->d - high)) return 0;
+    corner = -n3i_larger(-q[0][0], n3i_larger(-q[6][0], -q[0][6]));
+    concave = 30 * n3i_concavity(q);
+    if (concave <= n3i_larger(corner - best->d, 0) + high || corner < best->d) {
+        n3i_project(c, w);
+        if (c->cuts > 0) d = n3i_improve(c, w, best);
+        if (!(d - concave < best->d - high)) return 0;
+    }
+    return c->cuts < N3I_CUTS;
+}
+
+/* The weights of the best foot on the sides on which it is, and the curve's own foot there. */
+NAGATA3_API void n3i_settle(const n3_patch *p, n3_vec q, n3_real w[3])
+{
+    n3_edge e[3];
+    n3_real was[3], shortest = 0;
+    int i, k, found = 0;
+    for (i = 0; i < 3; i++) was[i] = w[i];
+    n3_patch_edges(p, e);
+    for (i = 0; i < 3; i++) {
+        n3_real t, length;
+        k = (i + 1) % 3;
+        if (!(was[i] <= N3_ON_SIDE)) continue;
+        t = n3_edge_nearest(&e[k], q);
+        length = n3_len(n3_sub(n3_edge_point(&e[k], t), q));
+        if (found && !(length < shortest)) continue;
+        found = 1;
+        shortest = length;
+        w[i] = 0;
+        w[k] = 1 - t;
+        w[(i + 2) % 3] = t;
+    }
+}
+
+NAGATA3_API n3_foot n3i_foot_at(const n3_patch *p, n3_vec q, const n3i_cell *c, const n3_real w[3])
+{
+    n3_real j[3][6], s;
+    n3_foot foot;
+    n3_vec away;
+    int k;
+    for (k = 0; k < 3; k++) n3i_row_jet(c->x[k], w, j[k]);
+    s = n3_dot(n3_v(j[0][0], j[1][0], j[2][0]), n3_cross(n3_v(j[0][1], j[1][1], j[2][1]),
+                                                        n3_v(j[0][2], j[1][2], j[2][2])));
+    foot.u = w[1];
+    foot.v = w[2];
+    foot.x = n3_patch_point(p, foot.u, foot.v);
+    away = n3_sub(q, foot.x);
+    foot.distance2 = n3_dot(away, away);
+    foot.side = s < 0 ? 1 : s > 0 ? -1 : 0;
+    return foot;
+}
+
+NAGATA3_API n3_foot n3_patch_nearest(const n3_patch *p, n3_vec q)
+{
+    n3i_stack stack;
+    n3i_near2 best;
+    n3_vec net[10];
+    n3i_cell root;
+    n3_real w[3], sum = 0;
+    int i, looked = 0;
+    n3i_relative(p->p, 10, q, net);
+    n3i_cell_start(&root);
+    for (i = 0; i < 10; i++) {
+        n3i_cell_set(&root, i, net[i]);
+        sum += net[i].x + net[i].y + net[i].z;
+    }
+    stack.cell[0] = root;
+    stack.count = 1;
+    best.d = 4;
+    n3i_project(&root, w);
+    n3i_improve(&root, w, &best);
+    while (stack.count > 0 && looked++ < 4 * N3I_CELLS) {
+        n3i_cell c = stack.cell[--stack.count];
+        if (n3i_look2(&c, &best)) n3i_cell_cut(&stack, &c, 3);
+    }
+    for (i = 0; i < 3; i++) w[i] = sum - sum <= 0 ? best.w[i] : sum - sum;
+    n3i_settle(p, q, w);
+    return n3i_foot_at(p, q, &root, w);
+}
+
+/* ---- Definitions: queries, rays ---- */
+
+/* Seen along the ray the patch is a map f of its triangle into a plane, and it is met where f = 0.
+   Let k be the largest component of the direction d; the two others of
+
+       f = x - from - (x - from)_k d / d_k
+
+   are f, without a root and without a division by what may vanish, and as affine a map of x as any:
+   <d, du x dv> / d_k is the determinant of its Jacobian.
+
+   Which patch owns a hit is decided by signs of numbers that neighbours share, and by nothing else.
+   The curve f of the boundary winds around 0 as many times as the patch is met from behind less the
+   times it is met from the front, and the winding number is the sum over the sides of how many
+   times they cross the half axis f2 = 0, f1 >= 0 upwards less downwards:
+
+       f2 >= 0 at all four control points, or < 0 at all of them, or f1 < 0 at all of them: 0
+       f1 >= 0 at all of them: [f2 >= 0 at the end] - [f2 >= 0 at the beginning]
+       else: the sum of the halves, from averages (p + q) / 2
+
+   with f1 >= 0 at all of them taken for f1 >= 0 on the whole after N3I_CUTS halvings. So defined,
+   the count C of a side is, in floating-point arithmetic and not only in theory,
+
+       odd: the side run backwards has -C, because averages and tests are the same from both ends;
+       additive: C is the sum of the C of its halves, because an average of numbers >= 0 is >= 0 and
+       of numbers < 0 is < 0 (underflow aside), so that a rule that holds for a side holds for its
+       halves, and the differences in the second telescope.
+
+   Hence the winding numbers of the cells of a patch add up to its own, whichever are cut; those of
+   the patches of a closed mesh add up to zero; and a cell whose control points have all f1 >= 0, or
+   < 0, or so f2, has the number zero and can be dropped. Where the Jacobian has one sign on a cell
+   as its Bernstein coefficients show, its winding number says how many hits there are: none, or one
+   that Newton finds. Other cells are cut. When one is as small as rounding its winding number still
+   says how many hits it has to answer for. */
+NAGATA3_API int n3i_crossings(const n3_real x[10], const n3_real y[10], const int at[4], int halvings)
+{
+    n3_real stack[N3I_CUTS + 2][8], p[8];
+    int left[N3I_CUTS + 2], count = 1, crossings = 0, i;
+    for (i = 0; i < 4; i++) {
+        stack[0][i] = x[at[i]];
+        stack[0][4 + i] = y[at[i]];
+    }
+    left[0] = halvings;
+    while (count > 0) {
+        int right = 0, up = 0, rise;
+        memcpy(p, stack[--count], sizeof p);
+        for (i = 0; i < 4; i++) {
+            right += p[i] >= 0;
+            up += p[4 + i] >= 0;
+        }
+        rise = (p[7] >= 0) - (p[4] >= 0);
+        if (right == 0 || up == 0 || up == 4) continue;
+        if (right == 4 || left[count] == 0) {
+            crossings += right == 4 || p[0] + p[3] >= 0 ? rise : 0;
+            continue;
+        }
+        left[count + 1] = --left[count];
+        for (i = 0; i < 8; i += 4) {
+            n3_real *a = stack[count] + i, *b = stack[count + 1] + i;
+            n3_real middle = n3i_middle(p[i + 1], p[i + 2]);
+            a[0] = p[i];
+            b[3] = p[i + 3];
+            a[1] = n3i_middle(p[i], p[i + 1]);
+            b[2] = n3i_middle(p[i + 2], p[i + 3]);
+            a[2] = n3i_middle(a[1], middle);
+            b[1] = n3i_middle(middle, b[2]);
+            a[3] = b[0] = n3i_middle(a[2], b[1]);
+        }
+        count += 2;
+    }
+    return crossings;
+}
+
+/* The winding number of a cell's boundary. A cut halves the side from corner 0 to 1; the two others
+   are the next to be halved. */
+NAGATA3_API int n3i_winding(const n3i_cell *c)
+{
+    static const int side[3][4] = {{0, 3, 4, 1}, {1, 5, 6, 2}, {2, 7, 8, 0}};
+    int i, sum = 0;
+    for (i = 0; i < 3; i++)
+        sum += n3i_crossings(c->x[0], c->x[1], side[i], (2 * N3I_CUTS + (i == 0) - c->cuts) / 2);
+    return sum;
+}
+
+/* f of the patch along a direction whose component k is its largest; returns the largest number
+   in it. */
+NAGATA3_API n3_real n3i_look_along(const n3_patch *p, n3_vec from, n3_vec d, int k, n3i_cell *c)
+{
+    n3_real size = 0, dx, dy, dk = k == 0 ? d.x : k == 1 ? d.y : d.z;
+    int i;
+    n3i_cell_start(c);
+    dx = (k == 0 ? d.y : k == 1 ? d.z : d.x) / dk;
+    dy = (k == 0 ? d.z : k == 1 ? d.x : d.y) / dk;
+    for (i = 0; i < 10; i++) {
+        n3_vec a = n3_sub(p->p[i], from);
+        if (k == 0) a = n3_v(a.y, a.z, a.x);
+        if (k == 1) a = n3_v(a.z, a.x, a.y);
+        c->x[0][i] = a.x - dx * a.z;
+        c->x[1][i] = a.y - dy * a.z;
+        size = n3i_larger(size, n3i_larger(n3i_abs(c->x[0][i]), n3i_abs(c->x[1][i])));
+    }
+    return size;
+}
+
+/* The largest component, -1 if none is above zero. */
+NAGATA3_API int n3i_main_axis(n3_vec d)
+{
+    n3_real x = n3i_abs(d.x), y = n3i_abs(d.y), z = n3i_abs(d.z);
+    if (!(x + y + z > 0)) return -1;
+    return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+}
+
+/* The Bernstein coefficients of the determinant of f's Jacobian at [i][j], the exponents of u and
+   v, but for a factor above 0 each: sums of the products of the quadratic nets of f_u and f_v, in
+   the order of n3_patch2.p, in which the Bernstein polynomials of the last three carry a 2. In
+   units of size^2. Returns the largest product. */
+NAGATA3_API n3_real n3i_jacobian(const n3i_cell *c, n3_real size, n3_real out[5][5])
+{
+    static const int from[6] = {0, 4, 7, 3, 9, 8}, to_u[6] = {3, 1, 6, 4, 5, 9};
+    static const int to_v[6] = {8, 5, 2, 9, 6, 7};
+    static const int i[6] = {0, 2, 0, 1, 1, 0}, j[6] = {0, 0, 2, 0, 1, 1};
+    n3_real u[2][6], v[2][6], largest[2];
+    int a, b;
+    memset(out, 0, 25 * sizeof(n3_real));
+    largest[0] = largest[1] = 0;
+    for (a = 0; a < 6; a++) {
+        n3_real twice = (a > 2 ? 2 : 1) / size;
+        for (b = 0; b < 2; b++) {
+            u[b][a] = twice * (c->x[b][to_u[a]] - c->x[b][from[a]]);
+            v[b][a] = twice * (c->x[b][to_v[a]] - c->x[b][from[a]]);
+            largest[0] = n3i_larger(largest[0], n3i_abs(u[b][a]));
+            largest[1] = n3i_larger(largest[1], n3i_abs(v[b][a]));
+        }
+    }
+    for (a = 0; a < 6; a++)
+        for (b = 0; b < 6; b++)
+            out[i[a] + i[b]][j[a] + j[b]] += u[0][a] * v[1][b] - u[1][a] * v[0][b];
+    return largest[0] * largest[1];
+}
+
+/* Whether the determinant has one sign on the cell, or is rounding: then there are no two hits on it
+   that cancel. */
+NAGATA3_API int n3i_is_simple(const n3i_cell *c, n3_real size)
+{
+    n3_real det[5][5], noise = N3_NOISE * n3i_jacobian(c, size, det);
+    int i, j, above = 0, below = 0, rounding = 1;
+    for (i = 0; i < 5; i++)
+        for (j = 0; i + j < 5; j++) {
+            above |= !(det[i][j] < 0);
+            below |= !(det[i][j] > 0);
+            rounding &= n3i_abs(det[i][j]) <= noise;
+        }
+    return !(above && below) || rounding;
+}
+
+/* The zero of f on a cell, by Newton's method held on the cell; whether it was found. */
+NAGATA3_API int n3i_zero(const n3i_cell *c, n3_real size, n3_real w[3])
+{
+    n3_real f[6], g[6], last = 1;
+    int i, k;
+    w[0] = w[1] = w[2] = (n3_real)1 / 3;
+    for (i = 0; i < 16; i++) {
+        n3_real det, step[3], sum = 0;
+        n3i_row_jet(c->x[0], w, f);
+        n3i_row_jet(c->x[1], w, g);
+        for (k = 0; k < 3; k++) {
+            f[k] /= size;
+            g[k] /= size;
+        }
+        if (!(last > N3_LAST_STEP)) break;
+        det = f[1] * g[2] - f[2] * g[1];
+        if (!(n3i_abs(det) > 0)) return 0;
+        step[1] = (f[2] * g[0] - f[0] * g[2]) / det;
+        step[2] = (f[0] * g[1] - f[1] * g[0]) / det;
+        step[0] = -step[1] - step[2];
+        for (k = 0; k < 3; k++) {
+            step[k] = n3i_larger(w[k] + step[k], 0);
+            sum += step[k];
+        }
+        for (k = 0, last = 0; k < 3; k++) {
+            last = n3i_larger(last, n3i_abs(step[k] / sum - w[k]));
+            w[k] = step[k] / sum;
+        }
+    }
+    return n3i_abs(f[0]) + n3i_abs(g[0]) <= N3_ON_SIDE;
+}
+
+/* The hit at the weights w of a cell. On the side bc, w = 0, v is made 1 - u. */
+NAGATA3_API n3_hit n3i_hit_at(const n3_patch *p, n3_vec from, n3_vec d, int k, const n3i_cell *c,
+                              const n3_real w[3])
+{
+    n3_hit hit;
+    n3_real on[3];
+    n3_vec way;
+    int i, sound = w[0] >= 0 && w[1] >= 0 && w[2] >= 0;
+    for (i = 0; i < 3; i++)
+        on[i] = sound ? w[0] * c->weight[0][i] + w[1] * c->weight[1][i] + w[2] * c->weight[2][i]
+                      : c->weight[0][i];
+    hit.u = on[1];
+    hit.v = on[0] > 0 ? on[2] : 1 - on[1];
+    hit.x = n3_patch_point(p, hit.u, hit.v);
+    way = n3_sub(hit.x, from);
+    hit.t = k == 0 ? way.x / d.x : k == 1 ? way.y / d.y : way.z / d.z;
+    hit.side = 0;
+    return hit;
+}
+
+/* Into a list ascending in t. A full list cancels a hit against one from the other side. */
+NAGATA3_API int n3i_insert_hit(n3_hit *list, int count, n3_hit hit)
+{
+    int i = 0;
+    if (count == N3_HITS) {
+        while (i < count && list[i].side == hit.side) i++;
+        for (; i + 1 < count; i++) list[i] = list[i + 1];
+        return count - 1;
+    }
+    for (i = count; i > 0 && list[i - 1].t > hit.t; i--) list[i] = list[i - 1];
+    list[i] = hit;
+    return count + 1;
+}
+
+/* All control points on one side of an axis, as n3i_crossings tells sides. */
+NAGATA3_API int n3i_is_missed(const n3i_cell *c)
+{
+    int i, right = 0, up = 0;
+    for (i = 0; i < 10; i++) {
+        right += c->x[0][i] >= 0;
+        up += c->x[1][i] >= 0;
+    }
+    return right == 0 || right == 10 || up == 0 || up == 10;
+}
+
+/* All control points strictly on one side of a line through the origin, across the way to the sum of
+   the corners, or along the longer of two sides: then there is no hit. */
+NAGATA3_API int n3i_is_beside(const n3i_cell *c)
+{
+    const n3_real *x = c->x[0], *y = c->x[1];
+    n3_real bx = x[1] - x[0], by = y[1] - y[0], cx = x[2] - x[0], cy = y[2] - y[0];
+    n3_real gx = x[0] + x[1] + x[2], gy = y[0] + y[1] + y[2];
+    int i, turn;
+    for (turn = 0; turn < 2; turn++) {
+        int above = 0, below = 0;
+        for (i = 0; i < 10; i++) {
+            n3_real level = gx * x[i] + gy * y[i];
+            above += level > 0;
+            below += level < 0;
+        }
+        if (above == 10 || below == 10) return 1;
+        gx = bx * bx + by * by > cx * cx + cy * cy ? -by : -cy;
+        gy = bx * bx + by * by > cx * cx + cy * cy ? bx : cx;
+    }
+    return 0;
+}
+
+NAGATA3_API int n3_patch_hits(const n3_patch *p, n3_vec from, n3_vec along, n3_real t0, n3_real t1,
+                              n3_hit hit[N3_HITS])
+{
+    n3i_stack stack;
+    int k = n3i_main_axis(along), found = 0, looked = 0, back;
+    n3_real size;
+    if (k < 0) return 0;
+    size = n3i_look_along(p, from, along, k, &stack.cell[0]);
+    back = (k == 0 ? along.x : k == 1 ? along.y : along.z) < 0;
+    stack.count = !n3i_is_missed(&stack.cell[0]);
+    while (stack.count > 0) {
+        n3i_cell c = stack.cell[--stack.count];
+        n3_real w[3];
+        n3_hit h;
+        int winding, simple, may_cut = c.cuts < N3I_CUTS;
+        if (n3i_is_missed(&c)) continue;
+        winding = n3i_winding(&c);
+        if (winding == 0 && (n3i_is_beside(&c) || !may_cut || looked++ > N3I_CELLS)) continue;
+        simple = n3i_is_simple(&c, size);
+        if (winding == 0 && simple) continue;
+        if (may_cut && !(simple && winding * winding == 1 && n3i_zero(&c, size, w))) {
+            n3i_cell_cut(&stack, &c, 2);
+            continue;
+        }
+        if (!may_cut) n3i_zero(&c, size, w);
+        h = n3i_hit_at(p, from, along, k, &c, w);
+        h.side = (winding > 0) == back ? 1 : -1;
+        if (!(h.t >= t0 && h.t <= t1)) continue;
+        for (; winding != 0; winding += winding > 0 ? -1 : 1)
+            found = n3i_insert_hit(hit, found, h);
+    }
+    return found;
+}
+
+NAGATA3_API int n3_patch_hit(const n3_patch *p, n3_vec from, n3_vec along, n3_real t0, n3_real t1,
+                             n3_hit *hit)
+{
+    n3_hit all[N3_HITS];
+    int found = n3_patch_hits(p, from, along, t0, t1, all);
+    if (found > 0) *hit = all[0];
+    return found > 0;
+}
+
+/* The coefficients at the corners of a cell are values. */
+NAGATA3_API int n3_patch_folds(const n3_patch *p, n3_vec direction, int budget)
+{
+    n3i_stack stack;
+    int i, j, k = n3i_main_axis(direction), back;
+    n3_real size, det[5][5];
+    if (k < 0) return N3_YES;
+    size = n3i_look_along(p, p->p[0], direction, k, &stack.cell[0]);
+    if (!(size > 0)) return N3_YES;
+    back = (k == 0 ? direction.x : k == 1 ? direction.y : direction.z) < 0;
+    stack.count = 1;
+    while (stack.count > 0) {
+        n3i_cell c = stack.cell[--stack.count];
+        int above = 0;
+        n3i_jacobian(&c, size, det);
+        for (i = 0; i < 5; i++)
+            for (j = 0; i + j < 5; j++) above += back ? det[i][j] < 0 : det[i][j] > 0;
+        if (above == 15) continue;
+        for (i = 0; i < 5; i += 4)
+            for (j = 0; i + j < 5; j += 4)
+                if (back ? !(det[i][j] < 0) : !(det[i][j] > 0)) return N3_YES;
+        if (c.cuts == N3I_CUTS || --budget <= 0) return N3_UNDECIDED;
+        n3i_cell_cut(&stack, &c, 2);
+    }
+    return N3_NO;
+}
+
+/* ---- Definitions: queries, sums over a patch ---- */
+
+/* Gauss's six nodes and weights on [0, 1]: exact for polynomials of degree 11. With u = s and
+   v = (1 - s) t the triangle is a square, and du dv is (1 - s) ds dt: a polynomial of degree n in
+   u and v is one of degree n + 1 in s and n in t. So 6 x 6 nodes are exact up to n = 10. */
+NAGATA3_API n3_real n3i_node(int i)
+{
+    static const n3_real node[3] = {(n3_real)0.23861918608319690863, (n3_real)0.66120938646626451366,
+                                    (n3_real)0.93246951420315202781};
+    return (1 + (i < 3 ? -node[2 - i] : node[i - 3])) / 2;
+}
+
+NAGATA3_API n3_real n3i_node_weight(int i)
+{
+    static const n3_real weight[3] = {(n3_real)0.46791393457269104739,
+                                      (n3_real)0.36076157304813860757,
+                                      (n3_real)0.17132449237917034504};
+    return weight[i < 3 ? 2 - i : i - 3] / 2;
+}
+
+/* The point, and du x dv times the weight of the node i of the 36. */
+NAGATA3_API n3_vec n3i_area_at(const n3i_cell *c, int i, n3_vec *x)
+{
+    n3_real w[3], s = n3i_node(i / 6), t = n3i_node(i % 6), j[3][6];
+    n3_real weight = n3i_node_weight(i / 6) * n3i_node_weight(i % 6) * (1 - s);
+    int k;
+    w[0] = (1 - s) * (1 - t);
+    w[1] = s;
+    w[2] = (1 - s) * t;
+    for (k = 0; k < 3; k++) n3i_row_jet(c->x[k], w, j[k]);
+    *x = n3_v(j[0][0], j[1][0], j[2][0]);
+    return n3_mul(weight, n3_cross(n3_v(j[0][1], j[1][1], j[2][1]),
+                                   n3_v(j[0][2], j[1][2], j[2][2])));
+}
+
+/* With y = x - from the cone's points are r y, 0 <= r <= 1, and its element of volume is
+   r^2 <y, du x dv> dr du dv: the volume is the integral of <y, du x dv> / 3, of degree 3 + 4, and
+   the moment that of y <y, du x dv> / 4, of degree 3 + 7. */
+NAGATA3_API n3_real n3_patch_volume(const n3_patch *p, n3_vec from, n3_vec *moment)
+{
+    n3i_cell c;
+    n3_vec sum = n3_v(0, 0, 0);
+    n3_real volume = 0;
+    int i;
+    for (i = 0; i < 10; i++) n3i_cell_set(&c, i, n3_sub(p->p[i], from));
+    for (i = 0; i < 36; i++) {
+        n3_vec x, n = n3i_area_at(&c, i, &x);
+        volume += n3_dot(x, n) / 3;
+        sum = n3_add(sum, n3_mul(n3_dot(x, n) / 4, x));
+    }
+    if (moment) *moment = sum;
+    return volume;
+}
+
+/* The area of a cell, and its moment, by the 36 nodes. */
+typedef struct n3i_sum { n3_real area; n3_vec moment; } n3i_sum;
+
+NAGATA3_API n3i_sum n3i_area_of(const n3i_cell *c)
+{
+    n3i_sum sum;
+    int i;
+    sum.area = 0;
+    sum.moment = n3_v(0, 0, 0);
+    for (i = 0; i < 36; i++) {
+        n3_vec x, n = n3i_area_at(c, i, &x);
+        n3_real part = n3_len(n);
+        sum.area += part;
+        sum.moment = n3_add(sum.moment, n3_mul(part, x));
+    }
+    return sum;
+}
+
+/* Whether what a sum over a whole is off that over its halves is settled, as a part of all: 64
+   times as well as is asked for. */
+NAGATA3_API int n3i_is_settled(n3_real off, n3_real halves, n3_real all, n3_real tolerance)
+{
+    tolerance = n3i_larger(tolerance, 16 * N3_EPS);
+    return !(64 * off > tolerance * halves && 512 * off > tolerance * all);
+}
+
+NAGATA3_API n3i_sum n3i_sum_add(n3i_sum a, n3i_sum b)
+{
+    a.area += b.area;
+    a.moment = n3_add(a.moment, b.moment);
+    return a;
+}
+
+/* Areas can agree by chance; hardly with their moments, whose arms are 1 at most. */
+NAGATA3_API n3i_sum n3i_area_to(n3i_stack *stack, n3_real tolerance)
+{
+    n3i_sum sum[N3I_CUTS + 2], total, all = n3i_area_of(&stack->cell[0]);
+    int looked = 0;
+    sum[0] = all;
+    memset(&total, 0, sizeof total);
+    while (stack->count > 0) {
+        n3i_cell c = stack->cell[--stack->count];
+        int k = stack->count;
+        n3i_sum whole = sum[k], halves;
+        n3_real off;
+        n3i_cell_cut(stack, &c, 3);
+        sum[k] = n3i_area_of(&stack->cell[k]);
+        sum[k + 1] = n3i_area_of(&stack->cell[k + 1]);
+        halves = n3i_sum_add(sum[k], sum[k + 1]);
+        off = n3i_larger(n3i_abs(halves.area - whole.area),
+                         n3i_largest(n3_sub(halves.moment, whole.moment)));
+        if (looked++ < 4 * N3I_CELLS && c.cuts + 1 < N3I_CUTS &&
+            !n3i_is_settled(off, halves.area, all.area, tolerance))
+            continue;
+        total = n3i_sum_add(total, halves);
+        stack->count = k;
+    }
+    return total;
+}
+
+NAGATA3_API n3_real n3_patch_area(const n3_patch *p, n3_real tolerance, n3_vec *centroid)
+{
+    n3i_stack stack;
+    n3i_sum total;
+    n3_vec net[10];
+    n3_real size = n3i_relative(p->p, 10, p->p[0], net);
+    int i;
+    n3i_cell_start(&stack.cell[0]);
+    for (i = 0; i < 10; i++) n3i_cell_set(&stack.cell[0], i, net[i]);
+    stack.count = 1;
+    total = n3i_area_to(&stack, tolerance);
+    if (centroid) {
+        n3_vec mean = n3i_over(n3_add(net[1], net[2]), 3);
+        if (total.area > 0) mean = n3i_over(total.moment, total.area);
+        *centroid = n3_add(p->p[0], n3_mul(size, mean));
+    }
+    return size * total.area * size;
+}
+
+NAGATA3_API n3_real n3i_length_of(const n3_edge *e)
+{
+    n3_real sum = 0;
+    int i;
+    for (i = 0; i < 6; i++) sum += n3i_node_weight(i) * n3_len(n3_edge_jet(e, n3i_node(i)).dt);
+    return sum;
+}
+
+NAGATA3_API n3_real n3_edge_length(const n3_edge *e, n3_real tolerance)
+{
+    n3_edge stack[N3I_CUTS + 1];
+    n3_real length[N3I_CUTS + 1], all = n3i_length_of(e), sum = 0;
+    int count = 1, looked = 0;
+    stack[0] = *e;
+    length[0] = all;
+    while (count > 0) {
+        n3_edge c = stack[--count];
+        n3_real whole = length[count], halves;
+        n3_edge_split(&c, (n3_real)1 / 2, &stack[count]);
+        length[count] = n3i_length_of(&stack[count]);
+        length[count + 1] = n3i_length_of(&stack[count + 1]);
+        halves = length[count] + length[count + 1];
+        if (looked++ < N3I_CELLS && count + 2 < N3I_CUTS &&
+            !n3i_is_settled(n3i_abs(whole - halves), halves, all, tolerance))
+            count += 2;
+        else
+            sum += halves;
+    }
+    return sum;
 }
 
 #ifdef __cplusplus

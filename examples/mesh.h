@@ -10,7 +10,7 @@
 
 /* Values that can be anything between two of them; numbers of things, whole ones that have no mean;
    bytes of colours, whose mean is rounded. */
-enum { VALUES, NUMBERS, COLOURS };
+enum { VALUES, NUMBERS, COLOUR_BYTES };
 
 /* Values of each point or of each cell, row by row. NaN: the file has none there. */
 typedef struct field {

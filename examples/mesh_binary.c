@@ -19,7 +19,7 @@ int type_is_byte(const number_type *type) { return type->kind == 'u' && type->by
 int type_values(const number_type *type, int components)
 {
     if (type->kind == 'f') return VALUES;
-    return type_is_byte(type) && (components == 3 || components == 4) ? COLOURS : NUMBERS;
+    return type_is_byte(type) && (components == 3 || components == 4) ? COLOUR_BYTES : NUMBERS;
 }
 
 size_t text_left(const text *t) { return (size_t)(t->end - t->at); }

@@ -210,7 +210,7 @@ static int kind_of(const property *p)
     static const char *const colours[] = {"red", "green", "blue", "alpha"};
     int i;
     for (i = 0; i < 4; i++)
-        if (token_is(p->name, colours[i]) && type_is_byte(p->type)) return COLOURS;
+        if (token_is(p->name, colours[i]) && type_is_byte(p->type)) return COLOUR_BYTES;
     return p->type->kind == 'f' ? VALUES : NUMBERS;
 }
 

@@ -317,7 +317,7 @@ static void read_colours(reader *r, int unused)
     if (r->of == WHOLE || !components) text_fail(&r->text, "colours of nothing");
     x = read_data(r, is_text ? &float_type : &byte_type, (double)r->rows * components);
     for (i = 0; is_text && i < n; i++) x[i] = floor(255 * x[i] + 0.5);
-    take(r, name, components, COLOURS, x);
+    take(r, name, components, COLOUR_BYTES, x);
 }
 
 static void skip_table(reader *r, int unused)

@@ -66,6 +66,10 @@ void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_r
                   surface *s);
 void surface_free(surface *s);
 
+/* n3_mesh_refine into room that is there, each but point may be NULL. */
+void surface_refine(const surface *s, int level, n3_vec *point, int *triangle, n3_vec *normal,
+                    int *corner);
+
 /* Squares over the quads that the mesh had in the file, in place of patches. */
 void surface_find_quads(const mesh *m, surface *s);
 

@@ -77,7 +77,7 @@ static void take_mean(const grid *g, const field *from, double *to)
     size_t i, n = (size_t)rows * (size_t)from->components;
     n3_mesh_field(&s->mesh, &s->topology, 1, from->components, from->value, g->parent + points,
                   g->uv + 2 * points, rows, to);
-    for (i = 0; i < n && from->kind == COLOURS; i++) to[i] = floor(to[i] + 0.5);
+    for (i = 0; i < n && from->kind == COLOUR_BYTES; i++) to[i] = floor(to[i] + 0.5);
 }
 
 static void carry_field(const grid *g, const field *from, field *to)
@@ -166,8 +166,8 @@ void grid_refine(const mesh *m, const surface *s, int level, unsigned with, grid
         too_many(s);
     grid_room(g, with);
     for (i = 0; i <= s->topology.edges; i++) g->first[i] = m->points + (level - 1) * i;
-    n3_mesh_refine(&s->mesh, &s->topology, s->net, level, g->node, g->element, g->normal, g->corner,
-                   g->parent, g->uv);
+    surface_refine(s, level, g->node, g->element, g->normal, g->corner);
+    n3_mesh_refine(&s->mesh, &s->topology, s->net, level, NULL, NULL, NULL, NULL, g->parent, g->uv);
     for (i = 0; i < g->elements; i++) g->origin[i] = i / (level * level);
     if (s->squares) grid_lay_squares(g, level);
     finish_facets(g, with);
@@ -246,8 +246,8 @@ void grid_curve(const mesh *m, const surface *s, int kind, unsigned with, grid *
     if (g->elements > INT_MAX / g->corners) too_many(s);
     grid_room(g, with);
     for (i = 0; i <= s->topology.edges; i++) g->first[i] = m->points + (level - 1) * i;
-    n3_mesh_refine(&s->mesh, &s->topology, s->net, level, g->node, NULL, NULL, NULL, g->parent,
-                   g->uv);
+    surface_refine(s, level, g->node, NULL, NULL, NULL);
+    n3_mesh_refine(&s->mesh, &s->topology, s->net, level, NULL, NULL, NULL, NULL, g->parent, g->uv);
     if (s->squares) grid_lay_squares(g, level);
     if (kind == BEZIER) memcpy(g->node, s->net, (size_t)g->nodes * sizeof *g->node);
     for (i = 0; i < g->elements; i++) {
@@ -311,7 +311,7 @@ static int type_of(const field *f, int rows)
 {
     const double exact = 9007199254740992; /* 2^53 */
     size_t i, n = (size_t)rows * (size_t)f->components;
-    int type = f->kind == COLOURS ? UINT8 : INT32;
+    int type = f->kind == COLOUR_BYTES ? UINT8 : INT32;
     if (f->kind == VALUES) return FLOAT64;
     for (i = 0; i < n; i++) {
         double x = f->value[i];

@@ -183,12 +183,56 @@ static void make_topology(const char *path, const mesh *m, surface *s)
     check(path, status, item);
 }
 
+/* Edges and triangles are made in pieces, on all cores where the compiler has OpenMP. */
+enum { PIECE = 4096 };
+
+static int piece_end(int first, int count)
+{
+    return count - first < PIECE ? count : first + PIECE;
+}
+
+static void make_net(const surface *s, const n3_options *o)
+{
+    const n3_mesh *m = &s->mesh;
+    const n3_topology *t = &s->topology;
+    int i;
+    memcpy(s->net, m->point, (size_t)m->points * sizeof *s->net);
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic)
+#endif
+    for (i = 0; i < t->edges; i += PIECE)
+        n3_mesh_edges(m, t, o, i, piece_end(i, t->edges), s->net, s->flags);
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic)
+#endif
+    for (i = 0; i < m->triangles; i += PIECE)
+        n3_mesh_centres(m, t, o, i, piece_end(i, m->triangles), s->net);
+}
+
+void surface_refine(const surface *s, int level, n3_vec *point, int *triangle, n3_vec *normal,
+                    int *corner)
+{
+    const n3_mesh *m = &s->mesh;
+    const n3_topology *t = &s->topology;
+    int i;
+    memcpy(point, s->net, (size_t)m->points * sizeof *point);
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic)
+#endif
+    for (i = 0; i < t->edges; i += PIECE)
+        n3_mesh_refine_edges(m, t, s->net, level, i, piece_end(i, t->edges), point);
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic)
+#endif
+    for (i = 0; i < m->triangles; i += PIECE)
+        n3_mesh_refine_triangles(m, t, s->net, level, i, piece_end(i, m->triangles), point,
+                                 triangle, normal, corner);
+}
+
 void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_real cos_crease,
                   surface *s)
 {
     n3_options options = {0, 0, 0};
-    n3_status status;
-    int item = -1;
     make_topology(path, m, s);
     make_normals(path, m, cos_crease, s);
     s->path = path;
@@ -196,12 +240,12 @@ void surface_make(const char *path, const mesh *m, const smooth_rule *rule, n3_r
     s->cos_crease = cos_crease;
     s->inferred = count_inferred(m);
     s->nodes = n3_mesh_nodes(&s->mesh, &s->topology);
+    if (s->nodes < s->mesh.points) check(path, N3_BAD_COUNT, -1);
     s->net = allocate((size_t)s->nodes, sizeof *s->net);
     s->flags = allocate((size_t)s->topology.edges, sizeof *s->flags);
     options.rule = rule->rule;
     progress("bending edges", -1, 1);
-    status = n3_mesh_net(&s->mesh, &s->topology, &options, s->net, s->flags, &item);
-    check(path, status, item);
+    make_net(s, &options);
     if (rule->edge) replace_net(s);
 }
 

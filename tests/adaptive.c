@@ -4,12 +4,6 @@
 
 #include <math.h>
 
-#ifdef FP_FAST_FMA
-enum { CONTRACTED = 1 };
-#else
-enum { CONTRACTED = 0 };
-#endif
-
 /* All outputs, with their counts. */
 typedef struct fine {
     n3_cut *cut;

@@ -16,6 +16,13 @@ typedef struct test_case { const char *name; void (*run)(void); } test_case;
 /* What check.c runs, closed by NULL. */
 extern const test_case *const test_tables[];
 
+/* 1 where the compiler may contract products and sums, and one call round unlike another. */
+#ifdef FP_FAST_FMA
+enum { CONTRACTED = 1 };
+#else
+enum { CONTRACTED = 0 };
+#endif
+
 /* The relative spacing of n3_real at 1: 2^-52 or 2^-23. */
 #define EPS ((double)N3_EPS)
 

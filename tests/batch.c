@@ -1,0 +1,244 @@
+/* Many patches at once: as one at a time, wherever the range is cut. */
+#include "built.h"
+#include "samples.h"
+
+#include <math.h>
+
+enum { PATCHES = 11, LEVELS = 5, LARGEST = 9, POINTS = (LARGEST + 1) * (LARGEST + 2) / 2 };
+static const int levels[LEVELS] = {1, 2, 3, 8, LARGEST};
+
+/* Patches of all kinds; an edge in three is a loop, so that it has no canonical end. */
+static void make_patches(long row, n3_patch *p)
+{
+    static const n3_options rules[2] = {{N3_RULE_PAPER, 0, 0}, {N3_RULE_ARC, 0, 0}};
+    int i;
+    for (i = 0; i < PATCHES; i++) {
+        sample s = sample_make(PATCHES * row + i);
+        p[i] = n3_patch_make(s.v[0], s.v[1], s.v[2], &rules[i % 2]);
+        if (i == 5 && row % 3 == 0) p[i].p[1] = p[i].p[0];
+        if (i == 5 && row % 6 == 0) p[i].p[4] = p[i].p[3];
+    }
+}
+
+/* The point at i / level, from the end that comes first in x, y and z; between equal ends from the
+   inner control points' first, and if these are equal, from the nearer. */
+static n3_vec side_point(n3_edge e, int i, int level)
+{
+    const n3_real *p[4];
+    int k, order = 0;
+    for (k = 0; k < 4; k++) p[k] = &e.p[k].x;
+    for (k = 0; k < 3 && !order; k++) order = (p[0][k] > p[3][k]) - (p[0][k] < p[3][k]);
+    for (k = 0; k < 3 && !order; k++) order = (p[1][k] > p[2][k]) - (p[1][k] < p[2][k]);
+    if (order > 0 || (order == 0 && 2 * i > level)) {
+        e = n3_edge_reverse(&e);
+        i = level - i;
+    }
+    return n3_edge_point(&e, (n3_real)i / (n3_real)level);
+}
+
+static void check_point(const n3_patch *p, int level, int i, int j, n3_vec got, long row)
+{
+    n3_edge side[3];
+    n3_vec want = n3_patch_point(p, (n3_real)i / (n3_real)level, (n3_real)j / (n3_real)level);
+    double bound = 64;
+    n3_patch_edges(p, side);
+    if (i + j == level) want = side_point(side[1], j, level);
+    if (i == 0) want = side_point(side[2], level - j, level);
+    if (j == 0) want = side_point(side[0], i, level);
+    if (i == 0 || j == 0 || i + j == level) bound = CONTRACTED * 4;
+    CHECK_VEC(got, want, bound * EPS * reach(p->p, 10), row);
+}
+
+/* Inside, with M the largest coordinate and every polynomial in steps: a first difference is off by
+   eps M, a second by 4, a third by 10, multiplied by 3, 6 and up to 6 in sums of 3 + 3 + 4 terms
+   whose rounding adds as much, below 56 eps M; n3_patch_point and u = i / level have 8. */
+static void lattice_points(void)
+{
+    long row, rows = sample_count(100);
+    for (row = 0; row < rows; row++) {
+        n3_patch p[PATCHES];
+        static n3_vec x[PATCHES * POINTS];
+        int f, i, j, level = levels[row % LEVELS];
+        n3_vec *at = x;
+        make_patches(row, p);
+        n3_lattice_points(p, 0, PATCHES, level, x);
+        for (f = 0; f < PATCHES; f++)
+            for (j = 0; j <= level; j++)
+                for (i = 0; i <= level - j; i++) check_point(&p[f], level, i, j, *at++, row);
+    }
+}
+
+static void lattice_normals(void)
+{
+    long row, rows = sample_count(100);
+    for (row = 0; row < rows; row++) {
+        n3_patch p[PATCHES];
+        static n3_vec n[PATCHES * POINTS];
+        int f, i, j, level = levels[row % LEVELS];
+        n3_vec *at = n;
+        make_patches(row, p);
+        n3_lattice_normals(p, 0, PATCHES, level, n);
+        for (f = 0; f < PATCHES; f++)
+            for (j = 0; j <= level; j++)
+                for (i = 0; i <= level - j; i++, at++) {
+                    n3_real u = (n3_real)i / (n3_real)level, v = (n3_real)j / (n3_real)level;
+                    if (i + j == level) v = 1 - u;
+                    CHECK_VEC(*at, n3_patch_normal(&p[f], u, v), normal_bound(&p[f], u, v), row);
+                    CHECK(fabs((double)n3_len(*at) - 1) <= 4 * EPS || n3_len(*at) <= 0, row);
+                }
+    }
+}
+
+/* The patch seen from its corner b, and turned over: the same points on its sides. */
+static void lattice_sides_agree(void)
+{
+    static const int turned[10] = {1, 2, 0, 5, 6, 7, 8, 3, 4, 9};
+    static const int over[10] = {1, 0, 2, 4, 3, 8, 7, 6, 5, 9};
+    long row, rows = sample_count(300);
+    for (row = 0; row < rows; row++) {
+        n3_patch p[PATCHES], q[3];
+        n3_vec x[3 * POINTS];
+        int i, k, level = levels[row % LEVELS], count = (level + 1) * (level + 2) / 2;
+        make_patches(row, p);
+        q[0] = p[row % PATCHES];
+        for (i = 0; i < 10; i++) q[1].p[i] = q[0].p[turned[i]];
+        for (i = 0; i < 10; i++) q[2].p[i] = q[0].p[over[i]];
+        n3_lattice_points(q, 0, 3, level, x);
+        for (i = 0, k = 0; i <= level; k += level + 1 - i, i++) { /* k: the first of row i */
+            CHECK_SAME(x[count + i], x[k + level - i], row);      /* bc */
+            CHECK_SAME(x[2 * count + level - i], x[i], row);      /* ba */
+            CHECK_SAME(x[2 * count + k + level - i], x[k], row);  /* ac */
+        }
+    }
+}
+
+/* Any part of the range gives the same bits; one item alone too. */
+static void ranges(void)
+{
+    static n3_vec all[2][PATCHES * POINTS], part[2][PATCHES * POINTS];
+    static int t[PATCHES * LARGEST * LARGEST * 3], s[PATCHES * LARGEST * LARGEST * 3];
+    long row, rows = sample_count(60);
+    for (row = 0; row < rows; row++) {
+        n3_patch p[PATCHES];
+        int i, level = levels[row % LEVELS], size = (level + 1) * (level + 2) / 2;
+        int first = (int)(row % PATCHES), last = first + (int)(row / PATCHES % (PATCHES - first));
+        int triangles = 3 * level * level;
+        make_patches(row, p);
+        n3_lattice_points(p, 0, PATCHES, level, all[0]);
+        n3_lattice_normals(p, 0, PATCHES, level, all[1]);
+        n3_lattice_triangles(0, PATCHES, level, t);
+        n3_lattice_points(p, first, last, level, part[0]);
+        n3_lattice_normals(p, first, last, level, part[1]);
+        n3_lattice_triangles(first, last, level, s);
+        for (i = 0; i < size * (last - first); i++) {
+            CHECK_SAME(part[0][i], all[0][size * first + i], row);
+            CHECK_SAME(part[1][i], all[1][size * first + i], row);
+        }
+        for (i = 0; i < triangles * (last - first); i++)
+            CHECK(s[i] == t[triangles * first + i], row);
+    }
+}
+
+/* As n3_mesh_refine numbers its normals. */
+static void lattice_triangles(void)
+{
+    shape s = shape_icosphere(0);
+    built b = build(&s, N3_RULE_PAPER, -1);
+    int i, k, count;
+    for (k = 0; k < LEVELS; k++) {
+        int *corner, *triangle;
+        n3_mesh_refine_counts(&b.m, &b.t, levels[k], NULL, &count, NULL);
+        corner = memory(3 * (size_t)count, sizeof *corner);
+        triangle = memory(3 * (size_t)count, sizeof *triangle);
+        n3_mesh_refine(&b.m, &b.t, b.net, levels[k], NULL, NULL, NULL, corner, NULL, NULL);
+        n3_lattice_triangles(0, b.m.triangles, levels[k], triangle);
+        for (i = 0; i < 3 * count; i++) CHECK(corner[i] == triangle[i], k);
+        free(corner);
+        free(triangle);
+    }
+    built_free(&b);
+    shape_free(&s);
+}
+
+/* Scattered parameters, a third of them on sides, in ranges of every length. */
+static void scattered(void)
+{
+    enum { ITEMS = 30 };
+    long row, rows = sample_count(200);
+    for (row = 0; row < rows; row++) {
+        n3_patch p[PATCHES];
+        n3_real uv[2 * ITEMS];
+        int parent[ITEMS], i, k, first = (int)(row % 7), last = ITEMS - (int)(row % 5);
+        n3_vec x[ITEMS], n[ITEMS];
+        n3_jet j[ITEMS];
+        rng r = {(uint64_t)row};
+        make_patches(row, p);
+        for (i = 0; i < ITEMS; i++) {
+            parent[i] = (int)(rng_next(&r) % PATCHES);
+            dyadic_weights(&r, &uv[2 * i], &uv[2 * i + 1]);
+        }
+        n3_patch_points(p, parent, uv, first, last, x);
+        n3_patch_jets(p, parent, uv, first, last, j);
+        n3_patch_normals(p, parent, uv, first, last, n);
+        for (i = first; i < last; i++) {
+            const n3_patch *q = &p[parent[i]];
+            const n3_jet want = n3_patch_jet(q, uv[2 * i], uv[2 * i + 1]);
+            const n3_vec *a = &want.x, *b = &j[i - first].x;
+            double bound = 64 * CONTRACTED * EPS * reach(q->p, 10);
+            CHECK_VEC(x[i - first], want.x, bound, row);
+            for (k = 0; k < 6; k++) CHECK_VEC(b[k], a[k], 4 * bound, row);
+            CHECK_VEC(n[i - first], n3_patch_normal(q, uv[2 * i], uv[2 * i + 1]),
+                      normal_bound(q, uv[2 * i], uv[2 * i + 1]), row);
+        }
+    }
+}
+
+/* The net in parts is the net; edges of triangles in a soup, with normals of all kinds, are those of
+   n3_edge_make where all triangles name the same. */
+static void net_in_parts(void)
+{
+    static const int triangle[9] = {0, 1, 2, 1, 0, 3, 2, 1, 4};
+    long row, rows = sample_count(300);
+    for (row = 0; row < rows; row++) {
+        n3_vec point[5], normal[5], net[5 + 2 * 7 + 3];
+        n3_options o = {(int)(row % 3), 0, 0};
+        n3_mesh m = {5, 3, 5, NULL, 0, NULL, 0, NULL, 0, NULL, 0};
+        sample s = sample_make(row), q = sample_make(row + 1);
+        built b;
+        int i, cut, end[2];
+        for (i = 0; i < 5; i++) point[i] = i < 3 ? s.v[i].x : q.v[i - 3].x;
+        for (i = 0; i < 5; i++) normal[i] = i < 3 ? s.v[i].n : q.v[i - 3].n;
+        m.point = &point[0].x;
+        m.triangle = triangle;
+        m.normal = &normal[0].x;
+        b = build_mesh(&m, o.rule, -1);
+        cut = (int)(row % (b.t.edges + 1));
+        for (i = 0; i < 5; i++) net[i] = point[i];
+        n3_mesh_edges(&b.m, &b.t, &o, cut, b.t.edges, net, NULL);
+        n3_mesh_edges(&b.m, &b.t, &o, 0, cut, net, NULL);
+        n3_mesh_centres(&b.m, &b.t, &o, 0, 1, net);
+        n3_mesh_centres(&b.m, &b.t, &o, 1, 3, net);
+        for (i = 0; i < b.nodes; i++) CHECK_SAME(net[i], b.net[i], row);
+        for (i = 0; i < b.t.edges && !CONTRACTED; i++) {
+            n3_vertex v[2];
+            n3_edge e = built_edge(&b, i), want;
+            n3_mesh_edge_ends(&b.m, &b.t, i, end);
+            for (cut = 0; cut < 2; cut++) {
+                v[cut].x = point[end[cut]];
+                v[cut].n = b.normal[end[cut]];
+            }
+            want = n3_edge_make(v[0], v[1], &o);
+            for (cut = 0; cut < 4; cut++) CHECK_SAME(e.p[cut], want.p[cut], row);
+        }
+        built_free(&b);
+    }
+}
+
+const test_case tests_batch[] = {{"lattice_points", lattice_points},
+                                 {"lattice_normals", lattice_normals},
+                                 {"lattice_sides_agree", lattice_sides_agree},
+                                 {"ranges", ranges},
+                                 {"lattice_triangles", lattice_triangles},
+                                 {"scattered", scattered},
+                                 {"net_in_parts", net_in_parts},
+                                 {NULL, NULL}};
