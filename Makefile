@@ -65,6 +65,9 @@ join: $(JOIN) $(BUILD)/join $(BUILD)/seams  ## two meshes joined by a smooth bri
 seams: $(BUILD)/seams  ## the README's table of the angles at the seams of joined meshes
 	@$(BUILD)/seams
 
+large: $(BUILD)/smooth $(BUILD)/demo_mesh  ## two million triangles through smooth, in 2 GiB
+	@sh tests/run.sh "sh tests/large_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
+
 fuzz: $(BUILD)/fuzz  ## read broken files of every format under the sanitizers; FILES=n of them
 	@$(BUILD)/fuzz $(FILES)
 
@@ -86,6 +89,9 @@ bench-counts: $(COUNTS)  ## instructions of each call against bench/counts.csv, 
 
 accuracy: $(BUILD)/accuracy  ## how far from surfaces that are known exactly
 	@$(BUILD)/accuracy $(SURFACES)
+
+quads: $(BUILD)/accuracy  ## Brown's squares over quads, against two triangles for each
+	@$(BUILD)/accuracy --quads
 
 sweep: $(BUILD)/accuracy  ## the constants that the paper leaves open, over the same surfaces
 	@$(BUILD)/accuracy --sweep
@@ -173,5 +179,5 @@ $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compil
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown join seams files pictures fuzz ledger dialects mutants bench \
-        bench-counts accuracy sweep facts golden gallery figures install help clean
+.PHONY: all demo test brown quads join seams files pictures large fuzz ledger dialects \
+        mutants bench bench-counts accuracy sweep facts golden gallery figures install help clean

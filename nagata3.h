@@ -4221,17 +4221,34 @@ NAGATA3_API void n3i_report_jump(const n3_mesh *m, const n3_topology *t, const n
 
 /* Across the plane of the triangle; where it has none, from the triangle's point of the same u
    and v. */
+NAGATA3_API n3_real n3i_off_triangle(n3_vec x, const n3_patch *p, n3_vec face, int i, int j, int n)
+{
+    n3_real u = (n3_real)i / (n3_real)n, v = (n3_real)j / (n3_real)n;
+    n3_vec way = n3_sub(x, n3i_mix(1 - u - v, p->p[0], u, p->p[1], v, p->p[2]));
+    return n3i_is_zero(face) ? n3_len(way) : n3i_abs(n3_dot(way, face));
+}
+
+/* No point is farther than the control point that is farthest, taken at its own u and v. */
+NAGATA3_API int n3i_may_be_beyond(const n3_patch *p, n3_vec face, n3_real distance)
+{
+    static const int place[7][2] = {{1, 0}, {2, 0}, {2, 1}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
+    int i;
+    for (i = 0; i < 7; i++)
+        if (!(n3i_off_triangle(p->p[3 + i], p, face, place[i][0], place[i][1], 3) <= distance))
+            return 1;
+    return 0;
+}
+
 NAGATA3_API void n3i_report_distance(const n3_mesh *m, const n3_patch *p, int triangle,
                                      n3_report *r)
 {
     n3_vec face = n3i_face_of(m, triangle).normal;
     int i, j;
+    if (r->distance_triangle >= 0 && !n3i_may_be_beyond(p, face, r->distance)) return;
     for (j = 0; j <= 6; j++)
         for (i = 0; i <= 6 - j; i++) {
-            n3_real u = (n3_real)i / 6, v = (n3_real)j / 6, distance;
-            n3_vec flat = n3i_mix(1 - u - v, p->p[0], u, p->p[1], v, p->p[2]);
-            n3_vec way = n3_sub(n3_patch_point(p, u, v), flat);
-            distance = n3i_is_zero(face) ? n3_len(way) : n3i_abs(n3_dot(way, face));
+            n3_vec x = n3_patch_point(p, (n3_real)i / 6, (n3_real)j / 6);
+            n3_real distance = n3i_off_triangle(x, p, face, i, j, 6);
             if (r->distance_triangle >= 0 && !(distance > r->distance)) continue;
             r->distance = distance;
             r->distance_triangle = triangle;

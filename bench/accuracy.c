@@ -7,14 +7,15 @@
 #include <string.h>
 
 static const char *const usage =
-    "usage: accuracy [--csv | --short | --sweep] [SURFACE]...\n"
+    "usage: accuracy [--csv | --short | --sweep | --quads] [SURFACE]...\n"
     "How far flat triangles, PN triangles, Nagata's patch and those of the paper's, the arc and\n"
     "the fit rule lie from surfaces that are known exactly: the largest distance and, after a\n"
     "slash, the largest angle between the normals in degrees; four meshes, each twice as fine.\n"
     "A SURFACE is a part of its name; the default is all.\n"
     "  --csv    comma-separated values, with the means\n"
     "  --short  the finest meshes only\n"
-    "  --sweep  instead, the paper's rule over the constants that it leaves open\n";
+    "  --sweep  instead, the paper's rule over the constants that it leaves open\n"
+    "  --quads  instead, Brown's squares and triangles over quads, with the jump of the normal\n";
 
 /* One surface, kind of mesh and kind of normals: every method on every level. */
 typedef struct block {
@@ -24,7 +25,7 @@ typedef struct block {
     figures r[METHODS][LEVELS];
 } block;
 
-enum { LONG, CSV, SHORT, SWEEP, HELP };
+enum { LONG, CSV, SHORT, SWEEP, QUADS, HELP };
 
 static long lost; /* points without a nearest point, which there should not be */
 
@@ -150,7 +151,7 @@ static int print_all(int form, char **word)
 /* -1: there is no such option. */
 static int form_of(const char *word)
 {
-    static const char *const option[] = {"", "--csv", "--short", "--sweep", "-h"};
+    static const char *const option[] = {"", "--csv", "--short", "--sweep", "--quads", "-h"};
     int form;
     if (!word || word[0] != '-') return LONG;
     for (form = CSV; form <= HELP; form++)
@@ -163,6 +164,7 @@ int main(int argc, char **argv)
     int form = form_of(argc > 1 ? argv[1] : NULL), known = form >= 0;
     if (form == HELP) printf("%s", usage);
     else if (form == SWEEP) sweep();
+    else if (form == QUADS) lost = quads();
     else if (known) known = print_all(form, argv + 1 + (form != LONG));
     if (!known) fprintf(stderr, "accuracy: no such %s\n%s", form < 0 ? "option" : "surface", usage);
     if (lost) fprintf(stderr, "accuracy: %ld points have no nearest point on the surface\n", lost);

@@ -66,6 +66,19 @@ typedef struct figures {
 /* At the lattice of n parts of each patch. */
 figures measure(const surface *s, const model *m, const n3_patch *patch, int n);
 
+/* Degrees between unit vectors. */
+double angle_between(n3_vec a, n3_vec b);
+
+/* Of very many triangles only every third, fifth, ... is measured. */
+int is_measured(const model *m, int triangle);
+
+/* Adds a point of the patches and its normal. */
+void measure_at(const surface *s, const model *m, n3_vec x, n3_vec mine, figures *r);
+
+/* Prints the figures of Brown's squares and of triangles over the finest meshes; returns the number
+   of points without a foot. */
+long quads(void);
+
 /* Prints the figures of the paper's rule over tan_lo and tan_hi, which the paper leaves open. */
 void sweep(void);
 

@@ -74,8 +74,7 @@ n3_patch *patches_make(const model *m, int method)
 
 /* ---- Measures ---- */
 
-/* Degrees between unit vectors. */
-static double angle_between(n3_vec a, n3_vec b)
+double angle_between(n3_vec a, n3_vec b)
 {
     return atan2((double)n3_len(n3_cross(a, b)), (double)n3_dot(a, b)) * 57.29577951308232088;
 }
@@ -99,8 +98,7 @@ static n3_vec normal_on_side(const n3_patch *p, int s, int i, int n)
     return normal;
 }
 
-/* Of very many triangles only every third, fifth, ... is measured. */
-static int is_measured(const model *m, int triangle)
+int is_measured(const model *m, int triangle)
 {
     return triangle < m->measured && triangle % ((m->measured / MOST) | 1) == 0;
 }
@@ -123,10 +121,9 @@ static double jump_across(const model *m, const n3_patch *patch, int side, int n
     return jump;
 }
 
-static void measure_at(const surface *s, const model *m, const n3_patch *p, n3_real u, n3_real v,
-                       figures *r)
+void measure_at(const surface *s, const model *m, n3_vec x, n3_vec mine, figures *r)
 {
-    n3_vec mine, true_normal, foot, x = point_and_normal(p, u, v, &mine);
+    n3_vec true_normal, foot;
     double distance, angle;
     if (!surface_foot(s, m, x, &foot, &true_normal)) {
         r->lost++;
@@ -149,8 +146,11 @@ figures measure(const surface *s, const model *m, const n3_patch *patch, int n)
         if (!is_measured(m, f)) continue;
         count += (n + 1) * (n + 2) / 2;
         for (i = 0; i <= n; i++)
-            for (j = 0; i + j <= n; j++)
-                measure_at(s, m, &patch[f], (n3_real)i / (n3_real)n, (n3_real)j / (n3_real)n, &r);
+            for (j = 0; i + j <= n; j++) {
+                n3_real u = (n3_real)i / (n3_real)n, v = (n3_real)j / (n3_real)n;
+                n3_vec mine, x = point_and_normal(&patch[f], u, v, &mine);
+                measure_at(s, m, x, mine, &r);
+            }
         for (i = 0; i < 3; i++) r.jump = fmax(r.jump, jump_across(m, patch, 3 * f + i, n));
     }
     r.mean_distance /= count - (double)r.lost;

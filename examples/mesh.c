@@ -75,6 +75,12 @@ void mesh_read(const char *path, int boundary, mesh *m)
     check_result(path, f, m);
 }
 
+void box_add(n3_vec *lo, n3_vec *hi, n3_vec x)
+{
+    *lo = n3_v(x.x < lo->x ? x.x : lo->x, x.y < lo->y ? x.y : lo->y, x.z < lo->z ? x.z : lo->z);
+    *hi = n3_v(x.x > hi->x ? x.x : hi->x, x.y > hi->y ? x.y : hi->y, x.z > hi->z ? x.z : hi->z);
+}
+
 static void free_fields(field *list, int fields)
 {
     int i;

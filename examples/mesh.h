@@ -110,6 +110,9 @@ void field_drop(field *list, int *fields, int i);
 /* The row from becomes the row to. */
 void field_move_row(const field *f, int from, int to);
 
+/* The box from lo to hi grows until x is in it. */
+void box_add(n3_vec *lo, n3_vec *hi, n3_vec x);
+
 /* kept[i] becomes the first point that equals the point i. Returns how many are not their own. */
 int mesh_find_equal(const mesh *m, int *kept);
 

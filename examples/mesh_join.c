@@ -134,14 +134,9 @@ static void join_close(mesh *m, int *kept, n3_vec lo)
 /* The lower corner of the box of all points; its diagonal into *diagonal. */
 static n3_vec box(const mesh *m, n3_real *diagonal)
 {
-    n3_vec lo = n3_v(0, 0, 0), hi = lo;
+    n3_vec lo = m->points ? m->point[0] : n3_v(0, 0, 0), hi = lo;
     int i;
-    for (i = 0; i < m->points; i++) {
-        n3_vec x = m->point[i];
-        if (i == 0) lo = hi = x;
-        lo = n3_v(x.x < lo.x ? x.x : lo.x, x.y < lo.y ? x.y : lo.y, x.z < lo.z ? x.z : lo.z);
-        hi = n3_v(x.x > hi.x ? x.x : hi.x, x.y > hi.y ? x.y : hi.y, x.z > hi.z ? x.z : hi.z);
-    }
+    for (i = 1; i < m->points; i++) box_add(&lo, &hi, m->point[i]);
     *diagonal = n3_len(n3_sub(hi, lo));
     return lo;
 }

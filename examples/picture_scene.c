@@ -221,12 +221,6 @@ static seen project(const pose *c, n3_vec x)
     return s;
 }
 
-static void grow(n3_vec *lo, n3_vec *hi, n3_vec x)
-{
-    *lo = n3_v(x.x < lo->x ? x.x : lo->x, x.y < lo->y ? x.y : lo->y, x.z < lo->z ? x.z : lo->z);
-    *hi = n3_v(x.x > hi->x ? x.x : hi->x, x.y > hi->y ? x.y : hi->y, x.z > hi->z ? x.z : hi->z);
-}
-
 /* The box of the outline and the strokes, in the axes of the pose as it stands. */
 static void find_box(const scene *s, const pose *c, n3_vec *lo, n3_vec *hi)
 {
@@ -235,9 +229,9 @@ static void find_box(const scene *s, const pose *c, n3_vec *lo, n3_vec *hi)
         for (k = 0; k < OUTLINE; k++) {
             n3_vec x = to_camera(c, outline_point(s, i, k));
             if (i + k == 0) *lo = *hi = x;
-            grow(lo, hi, x);
+            box_add(lo, hi, x);
         }
-    for (i = 0; i < 2 * s->strokes; i++) grow(lo, hi, to_camera(c, s->stroke[i / 2].p[i % 2]));
+    for (i = 0; i < 2 * s->strokes; i++) box_add(lo, hi, to_camera(c, s->stroke[i / 2].p[i % 2]));
 }
 
 static double distance_for(const pose *c, n3_vec x, panel f)

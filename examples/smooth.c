@@ -76,12 +76,6 @@ static int read_switch(options *o, const char *a)
 {
     if (!strcmp(a, "--boundary"))
         o->boundary = 1;
-    else if (!strcmp(a, "--bezier"))
-        o->out.kind = BEZIER;
-    else if (!strcmp(a, "--text"))
-        o->out.text = 1;
-    else if (!strcmp(a, "--binary"))
-        o->out.text = 0;
     else if (!strcmp(a, "--report"))
         o->report = 1;
     else if (!strcmp(a, "--json"))
@@ -95,38 +89,6 @@ static int read_switch(options *o, const char *a)
     return 1;
 }
 
-static void read_size(request *r, const char *option, const char *value)
-{
-    const long most = 16384;
-    char *end;
-    long width = strtol(value, &end, 10), height = *end == 'x' ? strtol(end + 1, &end, 10) : 0;
-    if (*end || width < 16 || height < 16 || width > most || height > most)
-        misuse("%s takes WIDTHxHEIGHT, each from 16 to %ld, not '%s'", option, most, value);
-    r->width = (int)width;
-    r->height = (int)height;
-}
-
-/* What a picture shows, and from where. False if it is none of that. */
-static int read_look(request *r, const char *a, const char *value)
-{
-    static const char *const known[] = {"--view", "--size", "--turn", "--rise", "--zoom", "--up"};
-    size_t i, n = sizeof known / sizeof *known;
-    for (i = 0; i < n && strcmp(a, known[i]); i++) continue;
-    if (i == n) return 0;
-    if (!value) misuse("%s takes a value", a);
-    r->drawn = 1;
-    if (i == 0 && view_find(value) < 0) misuse("there is no view '%s'", value);
-    if (i == 0) r->view = (view)view_find(value);
-    if (i == 1) read_size(r, a, value);
-    if (i == 2) r->camera.turn = (double)option_number(a, value, -360, 360);
-    if (i == 3) r->camera.rise = (double)option_number(a, value, -90, 90);
-    if (i == 4) r->camera.zoom = (double)option_number(a, value, 0.01, 100);
-    if (i == 5 && (strlen(value) != 1 || !strchr("xyz", value[0])))
-        misuse("%s takes x, y or z, not '%s'", a, value);
-    if (i == 5) r->camera.up = value[0];
-    return 1;
-}
-
 static int quads_number(const char *option, const char *value)
 {
     if (strcmp(value, "brown") && strcmp(value, "split"))
@@ -136,33 +98,16 @@ static int quads_number(const char *option, const char *value)
 
 static int read_value(options *o, const char *a, const char *value)
 {
-    static const char *const known[] = {"-o",     "-n",    "--rule", "--crease",
-                                        "--weld", "--tol", "--order", "--quads"};
+    static const char *const known[] = {"--rule", "--crease", "--weld", "--quads"};
     size_t i, n = sizeof known / sizeof *known;
     for (i = 0; i < n && strcmp(a, known[i]); i++) continue;
-    if (i == n) return read_look(&o->out, a, value);
+    if (i == n) return 0;
     if (!value) misuse("%s takes a value", a);
-    if (i == 0) o->out.path = value;
-    if (i == 1) o->out.level = option_whole(a, value, 1, 1000);
-    if (i == 2 && !(o->rule = smooth_rule_find(value))) misuse("there is no rule '%s'", value);
-    if (i == 3) o->crease = option_number(a, value, 0, 180);
-    if (i == 4) o->weld = option_number(a, value, 0, 1);
-    if (i == 5) option_tolerance(&o->out, a, value);
-    if (i == 6) o->out.kind = option_whole(a, value, 2, 3) == 2 ? QUADRATIC : CUBIC;
-    if (i == 7) o->quads = quads_number(a, value);
+    if (i == 0 && !(o->rule = smooth_rule_find(value))) misuse("there is no rule '%s'", value);
+    if (i == 1) o->crease = option_number(a, value, 0, 180);
+    if (i == 2) o->weld = option_number(a, value, 0, 1);
+    if (i == 3) o->quads = quads_number(a, value);
     return 1;
-}
-
-static void check_options(const options *o)
-{
-    const request *r = &o->out;
-    if (!o->in) misuse("no file to read");
-    if (!r->path && !o->report) misuse("no file to write; -o OUT names it");
-    if ((r->level > 0) + (r->tolerance > 0) + (r->kind != FACETS) > 1)
-        misuse("-n, --tol, --order and --bezier exclude each other");
-    if (r->path && product_refuse(r)) misuse("'%s' %s", r->path, product_refuse(r));
-    if (o->quads && (r->kind == BEZIER || (r->path && product_is_exact(r))))
-        misuse("--quads brown has no control points for --bezier, .step and .html");
 }
 
 static options read_options(int argc, char **argv)
@@ -177,8 +122,8 @@ static options read_options(int argc, char **argv)
             print_and_exit(help);
         }
         if (!strcmp(a, "--version")) print_and_exit("smooth " NAGATA3_VERSION "\n");
-        if (read_switch(&o, a)) continue;
-        if (read_value(&o, a, argv[i + 1]))
+        if (read_switch(&o, a) || request_switch(&o.out, a)) continue;
+        if (read_value(&o, a, argv[i + 1]) || request_value(&o.out, a, argv[i + 1]))
             i++;
         else if (a[0] == '-')
             misuse("there is no option '%s'", a);
@@ -187,7 +132,9 @@ static options read_options(int argc, char **argv)
         else
             o.in = a;
     }
-    check_options(&o);
+    if (!o.in) misuse("no file to read");
+    if (!o.out.path && !o.report) misuse("no file to write; -o OUT names it");
+    request_check(&o.out, o.quads);
     return o;
 }
 
@@ -235,13 +182,27 @@ static void read_mesh(const options *o, mesh *m)
     if (!m->triangles) fail(o->in, 0, "all its triangles have collapsed");
 }
 
+/* What was found and done, where anybody wants to know. */
+static void tell(const options *o, const mesh *m, const surface *s, const product *out)
+{
+    n3_report r;
+    memset(&r, 0, sizeof r);
+    if (!o->quiet || o->report) {
+        progress("measuring", -1, 1);
+        r = surface_report(s);
+    }
+    progress_hide();
+    if (o->times) progress_times(m->triangles);
+    if (!o->quiet) report_line(o->in, s, &r, out);
+    if (o->report) (o->json ? report_json : report_text)(stdout, o->in, m, s, &r, out);
+}
+
 int main(int argc, char **argv)
 {
     const n3_real degree = (n3_real)(3.14159265358979323846 / 180);
     options o = read_options(argc, argv);
     mesh m;
     surface s;
-    n3_report r;
     product out = {NULL, NULL, 0, 0, 0, 0};
     output_catch_signals();
     if (o.quiet) progress_hide();
@@ -249,12 +210,7 @@ int main(int argc, char **argv)
     surface_make(o.in, &m, o.rule, cos(o.crease * degree), &s);
     if (o.quads) surface_find_quads(&m, &s);
     if (o.out.path) out = product_write(&o.out, &m, &s);
-    progress("measuring", -1, 1);
-    r = surface_report(&s);
-    progress_hide();
-    if (o.times) progress_times(m.triangles);
-    if (!o.quiet) report_line(o.in, &s, &r, &out);
-    if (o.report) (o.json ? report_json : report_text)(stdout, o.in, &m, &s, &r, &out);
+    tell(&o, &m, &s, &out);
     surface_free(&s);
     mesh_free(&m);
     if (fflush(stdout) || ferror(stdout)) fail("standard output", 0, "%s", strerror(errno));

@@ -33,8 +33,8 @@ typedef struct surface {
     n3_real cos_crease;
     int squares;     /* Brown's, each over two triangles that follow one another: */
     brown_square *square;
-    int *half; /* of each triangle, 2 * its square, whose corners 0 1 2 it has, or 2 * its square + 1
-                  for 0 2 3; negative: it is a patch. NULL: they all are */
+    int *half; /* of each triangle, 2 * its square, whose corners 0 1 2 it has, or 2 * its square
+                  + 1 for 0 2 3; negative: it is a patch. NULL: they all are */
 } surface;
 
 /* Facets, elements with nodes on the surface, or with control points. */
@@ -82,8 +82,18 @@ void surface_take_squares(surface *s);
 int surface_on_square(const surface *s, int triangle, n3_real u, n3_real v, n3_jet *jet,
                       n3_vec *normal);
 
-/* The unit normal at the parameters of a triangle. */
+/* The point and the unit normal at the parameters of a triangle; at t along a side of one. */
+n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v);
 n3_vec surface_normal(const surface *s, int triangle, n3_real u, n3_real v);
+n3_vec surface_side_normal(const surface *s, int side, n3_real t);
+
+/* The corners of the i-th part of the row j of a triangle that is cut along its sides: how many
+   parts they are from its first corner, in u and in v. */
+void facet_places(int i, int j, int at[3][2]);
+
+/* The unit normals over a triangle that is half of a square, as n3_lattice_normals has them for
+   patches; over other triangles nothing is done. */
+void surface_square_normals(const surface *s, int triangle, int level, n3_vec *normal);
 
 /* The fewest parts for each edge with which facets are within the distance, as found in the middle
    of each and of its sides. */

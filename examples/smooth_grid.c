@@ -192,9 +192,7 @@ void grid_adapt(const mesh *m, const surface *s, n3_real distance, unsigned with
 
 /* ---- Elements with nodes between their corners ---- */
 
-static const n3_real third = (n3_real)1 / 3;
-
-/* In the order of the file formats: corners, sides, middle; and the parameters of the nodes. */
+/* In the order of the file formats: corners, sides, middle. */
 static int element_nodes(const grid *g, int triangle, int node[10])
 {
     const surface *s = g->surface;
@@ -205,31 +203,44 @@ static int element_nodes(const grid *g, int triangle, int node[10])
     return g->corners;
 }
 
-static n3_vec node_uv(const grid *g, int i)
+enum { BLOCK = 64 };
+
+/* The normals of all patches at their nodes; places: where those of an element are in a lattice. */
+static void sum_normals(grid *g, int level, const int *places)
 {
-    static const int uv[10][2] = {{0, 0}, {3, 0}, {0, 3}, {1, 0}, {2, 0},
-                                  {2, 1}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
-    static const int halves[6][2] = {{0, 0}, {2, 0}, {0, 2}, {1, 0}, {1, 1}, {0, 1}};
-    if (g->kind == QUADRATIC) return n3_v((n3_real)halves[i][0] / 2, (n3_real)halves[i][1] / 2, 0);
-    return n3_v(third * uv[i][0], third * uv[i][1], 0);
+    const surface *s = g->surface;
+    const int size = (level + 1) * (level + 2) / 2;
+    n3_patch patch[BLOCK];
+    n3_vec normal[10 * BLOCK];
+    int first, last, i, k;
+    for (first = 0; first < g->elements; first = last) {
+        last = g->elements - first < BLOCK ? g->elements : first + BLOCK;
+        n3_mesh_patches(&s->mesh, &s->topology, s->net, first, last, patch);
+        n3_lattice_normals(patch, 0, last - first, level, normal);
+        for (i = first; i < last; i++) {
+            n3_vec *own = normal + (i - first) * size;
+            surface_square_normals(s, i, level, own);
+            for (k = 0; k < g->corners; k++) {
+                n3_vec *sum = &g->node_normal[g->element[i * g->corners + k]];
+                *sum = n3_add(*sum, own[places[k]]);
+            }
+        }
+    }
 }
 
 static void curve_normals(grid *g)
 {
-    const surface *s = g->surface;
-    int t, i, node[10];
+    static const int halves[] = {0, 2, 5, 1, 4, 3}, thirds[] = {0, 3, 9, 1, 2, 6, 8, 7, 4, 5};
+    int i;
     g->node_normal = allocate((size_t)g->nodes, sizeof *g->node_normal);
-    for (t = 0; t < g->elements; t++) {
-        element_nodes(g, t, node);
-        for (i = 0; i < g->corners; i++) {
-            n3_vec at = node_uv(g, i), *sum = &g->node_normal[node[i]];
-            *sum = n3_add(*sum, surface_normal(s, t, at.x, at.y));
-        }
-    }
+    if (g->kind == QUADRATIC)
+        sum_normals(g, 2, halves);
+    else
+        sum_normals(g, 3, thirds);
     for (i = 0; i < g->nodes; i++) g->node_normal[i] = n3_unit(g->node_normal[i]);
     for (i = 0; i < 3 * g->mesh->triangles; i++) {
         n3_vec *normal = &g->node_normal[g->mesh->triangle[i]];
-        *normal = own_normal(s, i, *normal);
+        *normal = own_normal(g->surface, i, *normal);
     }
 }
 

@@ -1,4 +1,4 @@
-/* Quads as Brown's squares: which pairs of triangles they were, and what the surface is over them. */
+/* Quads as Brown's squares: which pairs of triangles they were, and the surface over them. */
 #include "smooth_grid.h"
 
 #include <math.h>
@@ -19,7 +19,7 @@ static void to_square(const surface *s, int triangle, n3_real *u, n3_real *v)
     *(s->half[triangle] % 2 ? v : u) = sum;
 }
 
-static n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v)
+n3_vec surface_point(const surface *s, int triangle, n3_real u, n3_real v)
 {
     n3_patch p;
     if (square_of(s, triangle)) {
@@ -52,6 +52,14 @@ n3_vec surface_normal(const surface *s, int triangle, n3_real u, n3_real v)
     return n3_patch_normal(&p, u, v);
 }
 
+n3_vec surface_side_normal(const surface *s, int side, n3_real t)
+{
+    n3_real w[3] = {0, 0, 0};
+    w[side % 3] = 1 - t;
+    w[(side + 1) % 3] = t;
+    return surface_normal(s, side / 3, w[1], w[2]);
+}
+
 /* Inside a square, between its two triangles. */
 static int is_diagonal(const surface *s, int edge)
 {
@@ -80,80 +88,11 @@ static int is_quad(const mesh *m, const surface *s, int t)
     return a[0] == b[0] && a[2] == b[1] && a[1] != b[2] && n[0] == n[3] && n[2] == n[4];
 }
 
-static n3_vertex vertex_at(const surface *s, int corner)
-{
-    n3_vertex v;
-    v.x = s->net[s->mesh.triangle[corner]];
-    v.n = s->normal[s->corner[corner]];
-    return v;
-}
-
-/* The corners of the quad of the triangles t and t + 1, and the side of theirs behind each. */
-static int quad_corner(int t, int k) { return 3 * t + (k < 3 ? k : 5); }
-
-static int quad_side(int t, int k) { return 3 * t + (k < 2 ? k : k + 2); }
-
-/* The curve from a triangle's corner along its side. */
-static n3_edge side_curve(const surface *s, int side)
-{
-    n3_edge e = surface_edge(s, s->topology.edge[side]);
-    return s->mesh.triangle[side] < s->mesh.triangle[n3i_after(side)] ? e : n3_edge_reverse(&e);
-}
-
-static int same_normal(const surface *s, int a, int b)
-{
-    n3_vec d = n3_sub(s->normal[s->corner[a]], s->normal[s->corner[b]]);
-    return n3_dot(d, d) <= 0;
-}
-
-/* The other two points, seen from the side of a triangle: of its quad, or twice its third one. */
-static void behind(const surface *s, int side, n3_vertex other[2])
-{
-    int t = side / 3, k = side % 3, half = s->half[t];
-    if (half < 0) {
-        other[0] = other[1] = vertex_at(s, 3 * t + (k + 2) % 3);
-        return;
-    }
-    k += half % 2;
-    t -= half % 2;
-    other[0] = vertex_at(s, quad_corner(t, (k + 2) % 4));
-    other[1] = vertex_at(s, quad_corner(t, (k + 3) % 4));
-}
-
-/* The normal to want in the middle of a side, by the rule 'fit'; zero where the faces there do not
-   agree. */
-static n3_vec wanted_normal(const surface *s, int side)
-{
-    int two[2], next = n3i_after(side), back;
-    n3_vertex c[2], d[2];
-    if (!n3i_is_regular(&s->mesh, &s->topology, s->topology.edge[side], two)) return n3_v(0, 0, 0);
-    back = two[0] + two[1] - side;
-    if (!same_normal(s, side, n3i_after(back)) || !same_normal(s, next, back))
-        return n3_v(0, 0, 0);
-    behind(s, side, c);
-    behind(s, back, d);
-    return brown_mid_normal(vertex_at(s, side), vertex_at(s, next), c, d);
-}
-
-static brown_square quad_square(const surface *s, int t)
-{
-    n3_options o = {0, 0, 0};
-    n3_vertex corner[4];
-    n3_edge edge[4];
-    n3_vec mid[4];
-    int k;
-    o.rule = s->rule->rule;
-    for (k = 0; k < 4; k++) {
-        corner[k] = vertex_at(s, quad_corner(t, k));
-        edge[k] = side_curve(s, quad_side(t, k));
-        mid[k] = o.rule == N3_RULE_FIT ? wanted_normal(s, quad_side(t, k)) : n3_v(0, 0, 0);
-    }
-    return brown_quad_from_edges(corner, edge, mid, &o);
-}
-
 void surface_find_quads(const mesh *m, surface *s)
 {
+    n3_options o = {0, 0, 0};
     int t;
+    o.rule = s->rule->rule;
     s->half = allocate((size_t)m->triangles, sizeof *s->half);
     for (t = 0; t < m->triangles; t++) s->half[t] = -1;
     for (t = 0; t < m->triangles; t++) {
@@ -163,10 +102,21 @@ void surface_find_quads(const mesh *m, surface *s)
     }
     surface_take_squares(s);
     for (t = 0; t < m->triangles; t++)
-        if (s->half[t] >= 0 && s->half[t] % 2 == 0) s->square[s->half[t] / 2] = quad_square(s, t);
+        if (s->half[t] >= 0 && s->half[t] % 2 == 0)
+            s->square[s->half[t] / 2] =
+                brown_mesh_square(&s->mesh, &s->topology, s->net, s->half, t, &o);
 }
 
 /* ---- Facets ---- */
+
+void facet_places(int i, int j, int at[3][2])
+{
+    int down = i % 2, u = (i + 1) / 2, v = j + down, side = down ? -1 : 1;
+    at[0][0] = at[2][0] = u;
+    at[0][1] = at[1][1] = v;
+    at[1][0] = u + side;
+    at[2][1] = v + side;
+}
 
 /* The largest distance from a facet's middle and its sides' to where the surface has them; a facet
    is the n-th part of a triangle along its sides, up or down. */
@@ -199,12 +149,9 @@ static n3_real level_distance(const surface *s, int n)
     for (t = 0; t < s->mesh.triangles; t++)
         for (j = 0; j < n; j++)
             for (i = 0; i < 2 * (n - j) - 1; i++) {
-                int k = (i + 1) / 2, down = i % 2, side = down ? -1 : 1, at[3][2];
+                int at[3][2];
                 n3_real d;
-                at[0][0] = at[2][0] = k;
-                at[0][1] = at[1][1] = j + down;
-                at[1][0] = k + side;
-                at[2][1] = j + down + side;
+                facet_places(i, j, at);
                 d = facet_distance(s, t, (const int(*)[2])at, n);
                 most = d > most ? d : most;
             }
@@ -229,36 +176,32 @@ static void lay_node(grid *g, int node)
 {
     const surface *s = g->surface;
     int t = g->parent[node];
-    if (square_of(s, t))
-        g->node[node] = surface_point(s, t, g->uv[2 * node], g->uv[2 * node + 1]);
+    if (square_of(s, t)) g->node[node] = surface_point(s, t, g->uv[2 * node], g->uv[2 * node + 1]);
+}
+
+void surface_square_normals(const surface *s, int triangle, int level, n3_vec *normal)
+{
+    int i, j;
+    if (!square_of(s, triangle)) return;
+    for (j = 0; j <= level; j++)
+        for (i = 0; i <= level - j; i++)
+            *normal++ = surface_normal(s, triangle, (n3_real)i / level, (n3_real)j / level);
 }
 
 /* Those on the sides of squares are where they should be, on the edges of the net. */
 void grid_lay_squares(grid *g, int level)
 {
     const surface *s = g->surface;
-    const int edges = s->topology.edges;
-    int e, t, i, j, n = 0;
+    const int edges = s->topology.edges, size = (level + 1) * (level + 2) / 2;
+    int e, t, i;
     for (e = 0; e < edges; e++)
         for (i = g->first[e]; i < g->first[e + 1] && is_diagonal(s, e); i++) lay_node(g, i);
     for (i = g->first[edges]; i < g->nodes; i++) lay_node(g, i);
     for (t = 0; t < s->mesh.triangles && g->normal; t++)
-        for (j = 0; j <= level; j++)
-            for (i = 0; i <= level - j; i++, n++)
-                if (square_of(s, t))
-                    g->normal[n] =
-                        surface_normal(s, t, (n3_real)i / level, (n3_real)j / level);
+        surface_square_normals(s, t, level, g->normal + (size_t)t * (size_t)size);
 }
 
 /* ---- Report ---- */
-
-static n3_vec side_normal(const surface *s, int side, n3_real t)
-{
-    n3_real w[3] = {0, 0, 0};
-    w[side % 3] = 1 - t;
-    w[(side + 1) % 3] = t;
-    return surface_normal(s, side / 3, w[1], w[2]);
-}
 
 static void report_jumps(const surface *s, n3_report *r)
 {
@@ -269,8 +212,8 @@ static void report_jumps(const surface *s, n3_report *r)
     for (e = 0; e < s->topology.edges; e++) {
         int regular = n3i_is_regular(&s->mesh, &s->topology, e, side);
         for (i = 1; i < 4 && regular && !(s->flags[e] & rough) && !is_diagonal(s, e); i++) {
-            n3_vec a = side_normal(s, side[0], (n3_real)i / 4);
-            n3_vec b = side_normal(s, side[1], 1 - (n3_real)i / 4);
+            n3_vec a = surface_side_normal(s, side[0], (n3_real)i / 4);
+            n3_vec b = surface_side_normal(s, side[1], 1 - (n3_real)i / 4);
             n3_real jump = n3_len(n3_sub(a, b));
             if (r->jump_edge >= 0 && !(jump > r->jump)) continue;
             r->jump = jump;
@@ -284,7 +227,8 @@ static void report_distances(const surface *s, n3_report *r)
     int t, i, j;
     for (t = 0; t < s->mesh.triangles; t++) {
         const int *point = s->mesh.triangle + 3 * t;
-        n3_vec a = s->net[point[0]], b = n3_sub(s->net[point[1]], a), c = n3_sub(s->net[point[2]], a);
+        n3_vec a = s->net[point[0]], b = n3_sub(s->net[point[1]], a),
+               c = n3_sub(s->net[point[2]], a);
         n3_vec face = n3_unit(n3_cross(b, c));
         for (j = 0; j <= 6; j++)
             for (i = 0; i <= 6 - j; i++) {

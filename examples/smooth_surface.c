@@ -264,10 +264,6 @@ n3_real surface_size(const surface *s)
 {
     n3_vec lo = s->net[0], hi = lo;
     int i;
-    for (i = 1; i < s->mesh.points; i++) {
-        n3_vec x = s->net[i];
-        lo = n3_v(x.x < lo.x ? x.x : lo.x, x.y < lo.y ? x.y : lo.y, x.z < lo.z ? x.z : lo.z);
-        hi = n3_v(x.x > hi.x ? x.x : hi.x, x.y > hi.y ? x.y : hi.y, x.z > hi.z ? x.z : hi.z);
-    }
+    for (i = 1; i < s->mesh.points; i++) box_add(&lo, &hi, s->net[i]);
     return n3_len(n3_sub(hi, lo));
 }

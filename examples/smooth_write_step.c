@@ -2,6 +2,7 @@
  * B-spline surface; edge curves and vertices are shared. Triangles that hang together over edges
  * are a solid where they close, else a sheet. */
 #include "smooth_grid.h"
+#include "smooth_shells.h"
 
 #include "mesh_number.h"
 
@@ -15,12 +16,10 @@
 typedef struct step {
     output *o;
     const surface *s;
-    int last;                   /* the instance that was written last */
-    int point, vertex, curve;   /* of the first control point, point and edge */
-    int face;                   /* of the first triangle */
-    int components, *component; /* of each triangle */
-    n3_real *volume;            /* that a component encloses; 0 if it is not closed */
-    int *around;                /* the component in which it is a cavity, -1: none */
+    shells shells;
+    int last;                 /* the instance that was written last */
+    int point, vertex, curve; /* of the first control point, point and edge */
+    int face;                 /* of the first triangle */
 } step;
 
 /* Instances for each edge and each triangle; the last of them is the curve, the face. */
@@ -112,10 +111,13 @@ static int put_surface(step *t, int triangle)
         inside[2], inside[3], node[7], node[1], node[5], node[6], node[2]);
 }
 
+/* What looks to its inside without being a cavity. */
+static int is_turned(const shell *one) { return one->volume < 0 && one->around < 0; }
+
 static void put_face(step *t, int triangle)
 {
     const surface *s = t->s;
-    const int c0 = t->component[triangle], turned = t->volume[c0] < 0 && t->around[c0] < 0;
+    const int turned = is_turned(&t->shells.shell[t->shells.of[triangle]]);
     int i, c, side[3], bound, on = put_surface(t, triangle);
     for (i = 0; i < 3; i++) {
         int a = s->mesh.triangle[3 * triangle + i],
@@ -147,84 +149,6 @@ static void put_shape(step *t)
 
 /* ---- Bodies ---- */
 
-static int root(int *link, int i)
-{
-    while (link[i] != i) i = link[i] = link[link[i]];
-    return i;
-}
-
-/* Numbers the triangles that hang together. */
-static void find_components(step *t)
-{
-    const n3_topology *topology = &t->s->topology;
-    int i, e, *link = allocate((size_t)topology->triangles, sizeof *link);
-    for (i = 0; i < topology->triangles; i++) link[i] = i;
-    for (e = 0; e < topology->edges; e++)
-        for (i = topology->first[e] + 1; i < topology->first[e + 1]; i++) {
-            int a = root(link, topology->side[i - 1] / 3), b = root(link, topology->side[i] / 3);
-            link[a > b ? a : b] = a > b ? b : a;
-        }
-    t->component = allocate((size_t)topology->triangles, sizeof *t->component);
-    for (i = 0; i < topology->triangles; i++)
-        t->component[i] = link[i] == i ? t->components++ : t->component[root(link, i)];
-    free(link);
-}
-
-/* Of the flat triangles, which tells whether they look outwards. */
-static void find_volumes(step *t)
-{
-    const unsigned open = N3_EDGE_BORDER | N3_EDGE_NON_MANIFOLD | N3_EDGE_FLIPPED;
-    const surface *s = t->s;
-    int i, *closed = allocate((size_t)t->components, sizeof *closed);
-    t->volume = allocate((size_t)t->components, sizeof *t->volume);
-    for (i = 0; i < t->components; i++) closed[i] = 1;
-    for (i = 0; i < s->topology.edges; i++)
-        if (s->flags[i] & open)
-            closed[t->component[s->topology.side[s->topology.first[i]] / 3]] = 0;
-    for (i = 0; i < s->mesh.triangles; i++) {
-        const int *v = s->mesh.triangle + 3 * i;
-        n3_vec o = s->net[s->mesh.triangle[0]];
-        n3_vec a = n3_sub(s->net[v[0]], o), b = n3_sub(s->net[v[1]], o),
-               c = n3_sub(s->net[v[2]], o);
-        if (closed[t->component[i]]) t->volume[t->component[i]] += n3_dot(n3_cross(a, b), c) / 6;
-    }
-    free(closed);
-}
-
-/* The solid angle that a triangle takes from x, over 4 pi (Van Oosterom and Strackee 1983). */
-static n3_real winding(const surface *s, int triangle, n3_vec x)
-{
-    const n3_real sphere = (n3_real)(4 * 3.14159265358979323846);
-    const int *v = s->mesh.triangle + 3 * triangle;
-    n3_vec a = n3_unit(n3_sub(s->net[v[0]], x)), b = n3_unit(n3_sub(s->net[v[1]], x));
-    n3_vec c = n3_unit(n3_sub(s->net[v[2]], x));
-    return 2 * atan2(n3_dot(n3_cross(a, b), c), 1 + n3_dot(a, b) + n3_dot(b, c) + n3_dot(c, a)) /
-           sphere;
-}
-
-/* What looks to its inside is a cavity of the smallest solid that it lies in. If it lies in none,
-   its faces are turned. */
-static void find_cavities(step *t)
-{
-    const surface *s = t->s;
-    n3_real *turns = allocate((size_t)t->components, sizeof *turns);
-    int i, k, c;
-    t->around = allocate((size_t)t->components, sizeof *t->around);
-    for (c = 0; c < t->components; c++) t->around[c] = -1;
-    for (c = 0; c < t->components; c++) {
-        if (!(t->volume[c] < 0)) continue;
-        for (i = 0; t->component[i] != c; i++) continue;
-        for (k = 0; k < t->components; k++) turns[k] = 0;
-        for (k = 0; k < s->mesh.triangles; k++)
-            turns[t->component[k]] += winding(s, k, s->net[s->mesh.triangle[3 * i]]);
-        for (k = 0; k < t->components; k++)
-            if (k != c && t->volume[k] > 0 && turns[k] > (n3_real)1 / 2 &&
-                (t->around[c] < 0 || t->volume[k] < t->volume[t->around[c]]))
-                t->around[c] = k;
-    }
-    free(turns);
-}
-
 /* A list of numbers, between what stands before and behind it. */
 typedef struct list {
     int count, *number;
@@ -252,33 +176,29 @@ static int put_list(step *t, const char *before, const list *l, const char *behi
     return t->last;
 }
 
-/* The shells, one for each component; the faces of all are sorted by it. */
-static int *put_shells(step *t)
+static int is_closed(const shell *one) { return one->volume < 0 || one->volume > 0; }
+
+static int put_shell(step *t, const shell *one)
 {
-    const int n = t->s->mesh.triangles;
-    int *shell = allocate((size_t)t->components, sizeof *shell), i, c;
-    list *faces = allocate((size_t)t->components, sizeof *faces);
-    for (i = 0; i < n; i++) list_add(&faces[t->component[i]], t->face + FACE_INSTANCES * i);
-    for (c = 0; c < t->components; c++) {
-        int closed = t->volume[c] < 0 || t->volume[c] > 0;
-        shell[c] = put_list(t, closed ? "CLOSED_SHELL('',(" : "OPEN_SHELL('',(", &faces[c], "))");
-        free(faces[c].number);
-    }
-    free(faces);
-    return shell;
+    list faces = {0, NULL};
+    int i, n;
+    for (i = one->first; i < one->first + one->count; i++)
+        list_add(&faces, t->face + FACE_INSTANCES * t->shells.triangle[i]);
+    n = put_list(t, is_closed(one) ? "CLOSED_SHELL('',(" : "OPEN_SHELL('',(", &faces, "))");
+    free(faces.number);
+    return n;
 }
 
-/* A cavity's faces look into it, out of the material. */
-static int put_solid(step *t, const int *shell, int c)
+/* A cavity's faces look into it, out of the material. instance: of each shell. */
+static int put_solid(step *t, const int *instance, int outer)
 {
     char before[60];
     list cavities = {0, NULL};
     int k;
-    for (k = 0; k < t->components; k++)
-        if (t->around[k] == c)
-            list_add(&cavities, put_instance(t, "ORIENTED_CLOSED_SHELL('',*,#%d,.T.)", shell[k]));
-    if (!cavities.count) return put_instance(t, "MANIFOLD_SOLID_BREP('',#%d)", shell[c]);
-    snprintf(before, sizeof before, "BREP_WITH_VOIDS('',#%d,(", shell[c]);
+    for (k = t->shells.shell[outer].cavity; k >= 0; k = t->shells.shell[k].next)
+        list_add(&cavities, put_instance(t, "ORIENTED_CLOSED_SHELL('',*,#%d,.T.)", instance[k]));
+    if (!cavities.count) return put_instance(t, "MANIFOLD_SOLID_BREP('',#%d)", instance[outer]);
+    snprintf(before, sizeof before, "BREP_WITH_VOIDS('',#%d,(", instance[outer]);
     k = put_list(t, before, &cavities, "))");
     free(cavities.number);
     return k;
@@ -286,20 +206,21 @@ static int put_solid(step *t, const int *shell, int c)
 
 static bodies put_bodies(step *t, list *items)
 {
-    int *shell = put_shells(t), c;
+    const shells *all = &t->shells;
+    int *instance = allocate((size_t)all->count, sizeof *instance), i;
     list sheets = {0, NULL};
     bodies made = {0, 0};
-    for (c = 0; c < t->components; c++) {
-        int closed = t->volume[c] < 0 || t->volume[c] > 0;
-        if (!closed) list_add(&sheets, shell[c]);
-        if (!closed || t->around[c] >= 0) continue;
-        list_add(items, put_solid(t, shell, c));
+    for (i = 0; i < all->count; i++) instance[i] = put_shell(t, &all->shell[i]);
+    for (i = 0; i < all->count; i++) {
+        if (!is_closed(&all->shell[i])) list_add(&sheets, instance[i]);
+        if (!is_closed(&all->shell[i]) || all->shell[i].around >= 0) continue;
+        list_add(items, put_solid(t, instance, i));
         made.solids++;
     }
     made.sheets = sheets.count;
     if (sheets.count) list_add(items, put_list(t, "SHELL_BASED_SURFACE_MODEL('',(", &sheets, "))"));
     free(sheets.number);
-    free(shell);
+    free(instance);
     return made;
 }
 
@@ -377,7 +298,7 @@ static void make_name(const char *path, char name[64])
 
 bodies surface_write_step(output *o, const char *path, const surface *s)
 {
-    step t = {0};
+    step t;
     list items = {0, NULL};
     bodies made;
     char name[64];
@@ -385,12 +306,11 @@ bodies surface_write_step(output *o, const char *path, const surface *s)
             2.0 * s->nodes >
         INT_MAX - 1000)
         fail(path, 0, "too many triangles for STEP");
+    memset(&t, 0, sizeof t);
     t.o = o;
     t.s = s;
     make_name(path, name);
-    find_components(&t);
-    find_volumes(&t);
-    find_cavities(&t);
+    t.shells = shells_find(s);
     put_text(o, "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\nFILE_NAME('");
     put_text(o, name);
     put_text(o, "','',(''),(''),'','smooth','');\nFILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\n"
@@ -401,8 +321,6 @@ bodies surface_write_step(output *o, const char *path, const surface *s)
     put_product(&t, name, put_representation(&t, &items, made));
     put_text(o, "ENDSEC;\nEND-ISO-10303-21;\n");
     free(items.number);
-    free(t.component);
-    free(t.volume);
-    free(t.around);
+    shells_free(&t.shells);
     return made;
 }

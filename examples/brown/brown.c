@@ -9,8 +9,9 @@
 
 const char program[] = "brown";
 
-const char usage[] = "usage: brown IN -o OUT [-n LEVEL | --tol T[%] | --order 2|3]\n"
-                     "             [--text | --binary] [--quiet]\n";
+const char usage[] =
+    "usage: brown IN -o OUT [-n LEVEL | --tol T[%] | --order 2|3] [--text | --binary] [--quiet]\n"
+    "             [--view VIEW] [--size WxH] [--turn DEG] [--rise DEG] [--zoom Z] [--up x|y|z]\n";
 
 static const char help[] =
     "Lays a surface of Brown's squares through a lattice of points, shaped by parameters.\n"
@@ -24,7 +25,7 @@ static const char help[] =
     "                   curve v I J X Y Z X Y Z  of a column's part J\n"
     "                 * for J or I: all; one VALUE, or one for each point of the curve. The\n"
     "                 PARAMETERs: tension, bias, continuity, t-continuity, rise\n"
-    "  -o OUT         .obj .stl .ply .vtu .vtk .msh: flat triangles\n"
+    "  -o OUT         .obj .stl .ply .vtu .vtk .msh: flat triangles; .png: a picture\n"
     "  -n LEVEL       with so many parts for each side of a square, 1 to 1000 (8)\n"
     "  --tol T        with as few as keep the surface within this distance of them, measured\n"
     "                 in the middle of each and of its sides; with a %, of the bounding box's\n"
@@ -32,6 +33,9 @@ static const char help[] =
     "  --order 2|3    triangles of 6 or of 10 nodes on the surface (.vtu .vtk .msh)\n"
     "  --text         numbers that people can read (up to 10000 triangles)\n"
     "  --binary       numbers as bytes (beyond)\n"
+    "  --view VIEW    of a picture: shaded, zebra, isophote, mean or gauss\n"
+    "  --size, --turn, --rise, --zoom, --up\n"
+    "                 its size and the camera, as those of smooth\n"
     "  --quiet        nothing on stderr but what is wrong\n"
     "  -h, --help     this text\n"
     "  --version      the version\n"
@@ -44,21 +48,6 @@ typedef struct options {
     int quiet;
 } options;
 
-/* What follows an option; false if the word is none. */
-static int read_option(options *o, const char *a, const char *value)
-{
-    static const char *const known[] = {"-o", "-n", "--tol", "--order"};
-    size_t i, n = sizeof known / sizeof *known;
-    for (i = 0; i < n && strcmp(a, known[i]); i++) continue;
-    if (i == n) return 0;
-    if (!value) misuse("%s takes a value", a);
-    if (i == 0) o->out.path = value;
-    if (i == 1) o->out.level = option_whole(a, value, 1, 1000);
-    if (i == 2) option_tolerance(&o->out, a, value);
-    if (i == 3) o->out.kind = option_whole(a, value, 2, 3) == 2 ? QUADRATIC : CUBIC;
-    return 1;
-}
-
 static void read_word(options *o, const char *a)
 {
     if (!strcmp(a, "-h") || !strcmp(a, "--help")) {
@@ -66,8 +55,6 @@ static void read_word(options *o, const char *a)
         print_and_exit(help);
     } else if (!strcmp(a, "--version")) {
         print_and_exit("brown " NAGATA3_VERSION "\n");
-    } else if (!strcmp(a, "--text") || !strcmp(a, "--binary")) {
-        o->out.text = a[2] == 't';
     } else if (!strcmp(a, "--quiet")) {
         o->quiet = 1;
     } else if (a[0] == '-') {
@@ -84,17 +71,16 @@ static options read_options(int argc, char **argv)
     request *r = &o.out;
     int i;
     for (i = 1; i < argc; i++) {
-        if (read_option(&o, argv[i], argv[i + 1]))
+        if (request_value(r, argv[i], argv[i + 1]))
             i++;
-        else
+        else if (!request_switch(r, argv[i]))
             read_word(&o, argv[i]);
     }
     if (!o.in) misuse("no file to read");
     if (!r->path) misuse("no file to write; -o OUT names it");
-    if ((r->level > 0) + (r->tolerance > 0) + (r->kind != FACETS) > 1)
-        misuse("-n, --tol and --order exclude each other");
-    if (!r->level && !(r->tolerance > 0) && r->kind == FACETS) r->level = 8;
-    if (product_refuse(r)) misuse("'%s' %s", r->path, product_refuse(r));
+    request_check(r, 1);
+    if (!(r->tolerance > 0) && r->kind == FACETS && !r->level && !has_extension(r->path, ".png"))
+        r->level = 8;
     return o;
 }
 
@@ -123,18 +109,19 @@ static void put_curve(surface *s, int side, n3_edge e)
     net[1] = e.p[2];
 }
 
-/* An edge is sharp where the normals in its middle differ. */
+/* An edge is sharp if the normals of its two squares differ at one of its quarters. */
 static void mark_creases(surface *s)
 {
-    const n3_real half = (n3_real)1 / 2;
-    int e, i, two[2];
+    int e, i, k, two[2];
     for (e = 0; e < s->topology.edges; e++) {
-        n3_vec n[2];
+        s->flags[e] &= N3_EDGE_BORDER;
         if (!n3i_is_regular(&s->mesh, &s->topology, e, two)) continue;
-        for (i = 0; i < 2; i++)
-            n[i] = surface_normal(s, two[i] / 3, two[i] % 3 == 2 ? 0 : half,
-                                  two[i] % 3 == 0 ? 0 : half);
-        if (n3_len(n3_cross(n[0], n[1])) > N3_CREASE_LO) s->flags[e] |= N3_EDGE_CREASE;
+        for (k = 1; k < 4; k++) {
+            n3_vec n[2];
+            for (i = 0; i < 2; i++)
+                n[i] = surface_side_normal(s, two[i], (n3_real)(i ? 4 - k : k) / 4);
+            if (n3_len(n3_cross(n[0], n[1])) > N3_CREASE_LO) s->flags[e] |= N3_EDGE_CREASE;
+        }
     }
 }
 
@@ -146,7 +133,6 @@ static void make_surface(const char *path, const brown_lattice *l, const mesh *m
     s->half = allocate((size_t)m->triangles, sizeof *s->half);
     for (t = 0; t < m->triangles; t++) s->half[t] = t;
     surface_take_squares(s);
-    memset(s->flags, 0, (size_t)s->topology.edges * sizeof *s->flags);
     for (t = 0; t < m->triangles; t += 2) {
         brown_square *q = &s->square[t / 2];
         *q = brown_lattice_square(l, t / 2 % (l->columns - 1), t / 2 / (l->columns - 1));

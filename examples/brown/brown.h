@@ -51,7 +51,8 @@
  *         for Precision Engineering (in Japanese), about 1990.
  *     [2] Kochanek D., Bartels R., Interpolating splines with local tension, continuity, and bias
  *         control, SIGGRAPH 1984, 33-41.
- *     [3] Chiyokura H., Kimura F., Design of solids with free-form surfaces, SIGGRAPH 1983, 289-298.
+ *     [3] Chiyokura H., Kimura F., Design of solids with free-form surfaces, SIGGRAPH 1983,
+ *         289-298.
  */
 #ifndef BROWN_H
 #define BROWN_H
@@ -76,17 +77,19 @@ typedef struct brown_field { n3_edge h, r; } brown_field;
 typedef struct brown_square { n3_edge side[4]; brown_field across[4]; } brown_square;
 
 /* Point at u, v in [0, 1]: (1). On a side it is n3_edge_point of that side, bit for bit. Within
-   16 eps of the largest coordinate and cross tangent, everywhere. 330 flops. */
+   2 eps of the largest coordinate and cross tangent, also 1e-12 from a corner. Costs as much as
+   seven n3_patch_point. */
 NAGATA3_API n3_vec brown_point(const brown_square *s, n3_real u, n3_real v);
 
-/* Point, first and second derivatives; what they are in a corner stands above. Within 40 eps of the
-   size of the square where U = V = 0: tangents that differ by their rounding count as equal. Where
-   they differ, second derivatives grow as 1/distance to the corner. 1200 flops. */
+/* Point, first and second derivatives; what they are in a corner stands above. Within 4 and 25 eps
+   of the largest coordinate and cross tangent, also 1e-12 from a corner, where U = V = 0: tangents
+   that differ by their rounding count as equal. Where they differ by more, second derivatives grow
+   as 1/distance to the corner, and their error with them. Costs as much as a n3_patch_make. */
 NAGATA3_API n3_jet brown_jet(const brown_square *s, n3_real u, n3_real v);
 
 /* Unit normal, along du x dv. Where that vanishes, the limit on the way to the middle, as far as
-   second derivatives tell it; failing that the normal a thousandth of the way on; then that of the
-   diagonals; then zero. */
+   second derivatives tell it; failing that the normal 2^-17 (float: 2^-8) of the way on; then zero.
+   Costs as much as the jet. */
 NAGATA3_API n3_vec brown_normal(const brown_square *s, n3_real u, n3_real v);
 
 /* ---- The lattice ---- */
@@ -137,27 +140,29 @@ NAGATA3_API brown_status brown_lattice_check(const brown_lattice *l, int *item);
 NAGATA3_API n3_edge brown_lattice_curve(const brown_lattice *l, int along_v, int j, int i);
 
 /* The square between the columns i and i + 1 and the rows j and j + 1 of a lattice that has been
-   checked: (2)-(9). At the lattice's ends, which have one chord only, it stands for both. */
+   checked: (2)-(9). At the lattice's ends, which have one chord only, it stands for both. Costs as
+   much as three n3_patch_make. */
 NAGATA3_API brown_square brown_lattice_square(const brown_lattice *l, int i, int j);
 
 /* ---- The quad ---- */
 
-/* Ours, after [3]: the square over the quad of four vertices, x00, x10, x11, x01, its sides edges of
-   nagata3.h. Along each side the tangent planes follow from this side and the normals at its ends
+/* Ours, after [3]: the square over the quad of four vertices, x00, x10, x11, x01, its sides edges
+   of nagata3.h. Along each side the tangent planes follow from this side and the normals at its ends
    alone: two quads that share them have the same planes all along, and the normals do not jump.
-   The planes are spanned by the side's derivative D(t) and by S(t), which runs linearly from
-   n0 x t0 to n1 x t1, the normals times the side's unit tangents. The cross tangents are
+   The planes are spanned by the side's derivative D(t) and by S(t), a quadratic from n0 x t0 to
+   n1 x t1, the normals times the side's unit tangents; in the middle it has their mean length and
+   is square to the side and to n0 + n1. The cross tangents are
    l(t) D(t) + m(t) S(t) with quadratics l and m, such that at the ends they are the tangents of the
    sides that meet there, and in the middle that of the edge, by the same rule, which joins the
    middles of opposite sides.
-   The rule is one of nagata3.h. N3_RULE_ARC, for normals that look outwards, is exact to sixth order
-   where the sides are lines of curvature of a cylinder. N3_RULE_FIT is the arc rule here. */
+   The rule is one of nagata3.h. N3_RULE_ARC wants normals that look outwards; N3_RULE_FIT is the
+   same here. Costs as much as five n3_patch_make. */
 NAGATA3_API brown_square brown_quad_make(const n3_vertex corner[4], const n3_options *o);
 
 /* The same from edges that are there already, which run round the quad: from 0 to 1 and so on.
-   mid: a normal to want in the middle of each, of any length; zero, or mid NULL: as above. S(t) is
-   then quadratic. A zero normal at a corner is replaced by that at the other end of each edge; where
-   both are, the cross tangents are linear. */
+   mid: a normal to want in the middle of each in place of n0 + n1, of any length; zero, or mid NULL:
+   none. A zero normal at a corner is replaced by that at the other end of each edge; where both
+   are, the cross tangents are linear. */
 NAGATA3_API brown_square brown_quad_from_edges(const n3_vertex corner[4], const n3_edge edge[4],
                                                const n3_vec mid[4], const n3_options *o);
 
@@ -166,6 +171,16 @@ NAGATA3_API brown_square brown_quad_from_edges(const n3_vertex corner[4], const 
    fourth order in position, and third in normals, on smooth surfaces. */
 NAGATA3_API n3_vec brown_mid_normal(n3_vertex a, n3_vertex b, const n3_vertex c[2],
                                     const n3_vertex d[2]);
+
+/* The square over a quad of a mesh: over its triangles f and f + 1, which have the corners 0 1 2 and
+   0 2 3 of it, between the edges of its net. half: of each triangle 2 q or 2 q + 1, as it is the
+   first or the second of the quad q; negative: it is a triangle. By N3_RULE_FIT the normals in the
+   middle of the sides are fitted over what meets there, brown_mid_normal, where two faces do that
+   agree on the normals at the ends; a triangle counts as a quad with its third corner twice.
+   The topology and the net are the mesh's; the triangles have an edge on every side. */
+NAGATA3_API brown_square brown_mesh_square(const n3_mesh *m, const n3_topology *t,
+                                           const n3_vec *net, const int *half, int f,
+                                           const n3_options *o);
 
 /* ---- Definitions: the square ---- */
 
@@ -270,7 +285,6 @@ NAGATA3_API n3_vec browni_loft_point(const brown_square *s, int family, n3_real 
 /* Where a place lies: a and b over s, the larger of them, and their derivatives. */
 typedef struct browni_place { n3_real u, v, s, a, b, a1, b1; } browni_place;
 
-/* A corner counts as seen from the middle. */
 NAGATA3_API browni_place browni_place_of(n3_real u, n3_real v)
 {
     browni_place p;
@@ -278,7 +292,7 @@ NAGATA3_API browni_place browni_place_of(n3_real u, n3_real v)
     p.u = u;
     p.v = v;
     p.s = n3i_larger(n3i_abs(a), n3i_abs(b));
-    p.a = p.s > 0 ? a / p.s : 1;
+    p.a = p.s > 0 ? a / p.s : 1; /* in a corner both lofts are the corner */
     p.b = p.s > 0 ? b / p.s : 1;
     p.a1 = 1 - 2 * u;
     p.b1 = 1 - 2 * v;
@@ -375,7 +389,7 @@ NAGATA3_API int browni_tangents_differ(const brown_square *s, int family, n3_rea
     return size > 0;
 }
 
-/* The scale below which U and V are left out: there a place counts as the corner. */
+/* The scale up to which a place counts as the corner. */
 #define BROWNI_CORNER (N3_EPS * N3_EPS * N3_EPS * N3_EPS)
 
 /* a U + a b E of family 0, or the same of family 1, with its scale; E and U here are the family's
@@ -387,7 +401,7 @@ NAGATA3_API n3_jet browni_part(const brown_square *s, int family, browni_place p
     n3_real a = family ? p.b : p.a, b = family ? p.a : p.b;
     n3_jet D, g;
     memset(&D, 0, sizeof D);
-    if (p.s > BROWNI_CORNER && browni_tangents_differ(s, family, u, v, &g)) {
+    if (browni_tangents_differ(s, family, u, v, &g)) {
         f.x = a / p.s;
         f.du = a1 / p.s;
         f.duu = -2;
@@ -430,7 +444,6 @@ NAGATA3_API n3_jet browni_jet_mix(n3_real r, n3_jet a, n3_real s, n3_jet b)
     return a;
 }
 
-/* The jet at a place; in a corner, its limit on the way to the middle. */
 NAGATA3_API n3_jet browni_jet_at(const brown_square *s, browni_place p)
 {
     n3_jet A = browni_loft(s, 1, p.v, p.u), B = browni_loft(s, 0, p.u, p.v), D, K, j;
@@ -445,74 +458,79 @@ NAGATA3_API n3_jet browni_jet_at(const brown_square *s, browni_place p)
     return j;
 }
 
-NAGATA3_API n3_jet brown_jet(const brown_square *s, n3_real u, n3_real v)
+/* What the two sides say that meet in the corner. */
+NAGATA3_API n3_jet browni_corner_jet(const brown_square *s, n3_real u, n3_real v)
 {
-    browni_place p = browni_place_of(u, v);
-    n3_jet j = browni_jet_at(s, p);
-    n3_curve_jet along_u, along_v, twist_u, twist_v;
     int at_u = u > (n3_real)1 / 2, at_v = v > (n3_real)1 / 2;
-    if (!(p.s <= BROWNI_CORNER)) return j;
-    along_u = n3_edge_jet(&s->side[at_v], u);
-    along_v = n3_edge_jet(&s->side[2 + at_u], v);
-    twist_u = browni_field_jet(&s->across[at_v], u);
-    twist_v = browni_field_jet(&s->across[2 + at_u], v);
+    n3_curve_jet along_u = n3_edge_jet(&s->side[at_v], u);
+    n3_curve_jet along_v = n3_edge_jet(&s->side[2 + at_u], v);
+    n3_vec twist_u = browni_field_jet(&s->across[at_v], u).dt;
+    n3_vec twist_v = browni_field_jet(&s->across[2 + at_u], v).dt;
+    n3_jet j;
+    j.x = brown_point(s, u, v);
     j.du = along_u.dt;
     j.dv = along_v.dt;
     j.duu = along_u.dtt;
     j.dvv = along_v.dtt;
-    j.duv = n3_mul((n3_real)1 / 2, n3_add(twist_u.dt, twist_v.dt));
+    j.duv = n3_mul((n3_real)1 / 2, n3_add(twist_u, twist_v));
     return j;
 }
 
-/* The square with x00 in the origin and size 1, so that products neither overflow nor underflow. */
-NAGATA3_API brown_square browni_boxed(const brown_square *s)
+NAGATA3_API n3_jet brown_jet(const brown_square *s, n3_real u, n3_real v)
 {
-    brown_square q = *s;
+    browni_place p = browni_place_of(u, v);
+    return p.s <= BROWNI_CORNER ? browni_corner_jet(s, u, v) : browni_jet_at(s, p);
+}
+
+/* The largest of what the square is made of, seen from x00. */
+NAGATA3_API n3_real browni_size(const brown_square *s)
+{
     n3_real size = 0;
     int i, k;
     for (i = 0; i < 4; i++)
         for (k = 0; k < 4; k++) {
-            q.side[i].p[k] = n3_sub(s->side[i].p[k], s->side[0].p[0]);
-            size = n3i_larger(size, n3i_largest(q.side[i].p[k]));
-            size = n3i_larger(size, n3i_largest(q.across[i].h.p[k]));
-            size = n3i_larger(size, n3i_largest(q.across[i].r.p[k]));
+            n3_vec x = n3_sub(s->side[i].p[k], s->side[0].p[0]);
+            size = n3i_larger(size, n3i_largest(x));
+            size = n3i_larger(size, n3i_largest(s->across[i].h.p[k]));
+            size = n3i_larger(size, n3i_largest(s->across[i].r.p[k]));
         }
-    if (!(size > 0)) return q;
-    for (i = 0; i < 4; i++)
-        for (k = 0; k < 4; k++) {
-            q.side[i].p[k] = n3i_over(q.side[i].p[k], size);
-            q.across[i].h.p[k] = n3i_over(q.across[i].h.p[k], size);
-            q.across[i].r.p[k] = n3i_over(q.across[i].r.p[k], size);
-        }
-    return q;
+    return size;
 }
 
-/* du x dv; where it vanishes, the coefficients of the powers of the way to the middle, as far as
-   second derivatives have them. */
-NAGATA3_API n3_vec browni_normal(n3_jet j, n3_real to_u, n3_real to_v)
+/* du x dv of the square made of size 1, so that products neither overflow nor underflow. Where it
+   vanishes, the coefficients of the powers of the way to the middle, as far as second derivatives
+   have them. */
+NAGATA3_API n3_vec browni_normal_at(n3_jet j, n3_real unit, n3_real to_u, n3_real to_v)
 {
-    n3_vec du = n3_add(n3_mul(to_u, j.duu), n3_mul(to_v, j.duv));
-    n3_vec dv = n3_add(n3_mul(to_u, j.duv), n3_mul(to_v, j.dvv));
-    n3_real size = n3_len(j.du) + n3_len(j.dv);
-    n3_vec n = n3i_clear(n3_cross(j.du, j.dv), size);
+    n3_vec u = n3i_over(j.du, unit), v = n3i_over(j.dv, unit), uv = n3i_over(j.duv, unit);
+    n3_vec du = n3_add(n3_mul(to_u, n3i_over(j.duu, unit)), n3_mul(to_v, uv));
+    n3_vec dv = n3_add(n3_mul(to_u, uv), n3_mul(to_v, n3i_over(j.dvv, unit)));
+    n3_real size = n3_len(u) + n3_len(v);
+    n3_vec n = n3i_clear(n3_cross(u, v), size);
+    if (!n3i_is_zero(n)) return n;
     size += n3_len(du) + n3_len(dv);
-    if (n3i_is_zero(n))
-        n = n3i_clear(n3_add(n3_cross(du, j.dv), n3_cross(j.du, dv)), size);
-    if (n3i_is_zero(n) && !(n3i_largest(j.du) > N3_NOISE) && !(n3i_largest(j.dv) > N3_NOISE))
-        n = n3i_clear(n3_cross(du, dv), size);
-    return n;
+    n = n3i_clear(n3_add(n3_cross(du, v), n3_cross(u, dv)), size);
+    return n3i_is_zero(n) ? n3i_clear(n3_cross(du, dv), size) : n;
 }
 
+/* A little way to the middle: what is third order there has lost a third of its digits to rounding,
+   and is off by as much. */
+#define BROWNI_WAY N3I_PICK((n3_real)1 / 131072, (n3_real)1 / 256)
+
+/* Here; then beside here, where also in a corner second derivatives are those on the way to the
+   middle; then farther on. */
 NAGATA3_API n3_vec brown_normal(const brown_square *s, n3_real u, n3_real v)
 {
-    brown_square q = browni_boxed(s);
-    n3_real to_u = (n3_real)1 / 2 - u, to_v = (n3_real)1 / 2 - v, step = (n3_real)1 / 1024;
-    const n3_edge *side = q.side;
-    n3_vec n = browni_normal(browni_jet_at(&q, browni_place_of(u, v)), to_u, to_v);
-    browni_place on = browni_place_of(u + step * to_u, v + step * to_v);
-    if (n3i_is_zero(n)) n = browni_normal(browni_jet_at(&q, on), to_u, to_v);
-    if (n3i_is_zero(n))
-        n = n3i_clear(n3_cross(side[1].p[3], n3_sub(side[1].p[0], side[0].p[3])), 1);
+    n3_real to_u = (n3_real)1 / 2 - u, to_v = (n3_real)1 / 2 - v;
+    n3_real size = browni_size(s), step[2];
+    int k;
+    n3_vec n = n3_sub(s->side[1].p[3], s->side[0].p[0]);
+    if (!(size > 0)) return n; /* zero, or NaN */
+    n = browni_normal_at(brown_jet(s, u, v), size, 0, 0);
+    step[0] = N3_EPS;
+    step[1] = BROWNI_WAY;
+    for (k = 0; k < 2 && n3i_is_zero(n); k++)
+        n = browni_normal_at(brown_jet(s, u + step[k] * to_u, v + step[k] * to_v), size, to_u, to_v);
     return n;
 }
 
@@ -652,7 +670,7 @@ NAGATA3_API void browni_chord(const brown_lattice *l, int family, int j, int i, 
     }
 }
 
-/* The Greek letters of (6)-(9), alpha to delta, are products of 1 + sign * parameter and one 1/2. */
+/* The Greek letters of (6)-(9), alpha to delta, are products of 1 + sign * parameter and 1/2. */
 NAGATA3_API int browni_times_letter(brown_shape from, brown_shape to, int letter, n3_vec *c, int n)
 {
     static const n3_real sign[4][4] = {
@@ -729,19 +747,22 @@ NAGATA3_API n3_vec browni_middle(const n3_vec q[3])
     return n3i_mix((n3_real)1 / 4, q[0], (n3_real)1 / 2, q[1], (n3_real)1 / 4, q[2]);
 }
 
-/* S(t) runs from n0 x t0 to n1 x t1, linearly unless a normal is wanted in the middle; there it has
-   the same length, and the direction across the side and that normal. S is zero where there is
-   none at an end. */
-NAGATA3_API browni_frame browni_frame_of(const n3_edge *e, n3_vec n0, n3_vec n1, n3_vec mid)
+/* S(t) runs from n0 x t0 to n1 x t1; in the middle it has the mean length and stands across the
+   side and the normal that is wanted there. S is zero where there is none at an end. The paper's
+   rule takes normals that look to either side: n1 is turned as its plane Pi turns it. */
+NAGATA3_API browni_frame browni_frame_of(const n3_edge *e, n3_vec n0, n3_vec n1, n3_vec mid,
+                                         const n3_options *o)
 {
     browni_frame f;
-    n3_vec t0, t1, t;
-    int k;
+    n3_vec t0, t1, t, chord = n3_unit(n3_sub(e->p[3], e->p[0]));
+    int k, turned = n3_dot(n3_cross(chord, n0), n3_cross(chord, n1)) < 0 && !n3i_is_arc(o);
     for (k = 0; k < 3; k++) f.D[k] = n3_mul(3, n3_sub(e->p[k + 1], e->p[k]));
     t0 = n3_unit(f.D[0]);
     t1 = n3_unit(f.D[2]);
     if (n3i_is_zero(n0)) n0 = n3i_across(n1, t0);
     if (n3i_is_zero(n1)) n1 = n3i_across(n0, t1);
+    if (turned) n1 = n3i_neg(n1);
+    if (n3i_is_zero(mid)) mid = n3_add(n0, n1);
     f.S[0] = n3_cross(n0, t0);
     f.S[2] = n3_cross(n1, t1);
     f.S[1] = n3_mul((n3_real)1 / 2, n3_add(f.S[0], f.S[2]));
@@ -778,8 +799,8 @@ NAGATA3_API void browni_add_times(n3_vec *c, const n3_vec q[3], const n3_real l[
     for (k = 0; k < 5; k++) c[k] = n3_add(c[k], n3_add(a[k], b[k]));
 }
 
-/* Cross tangents along a side, T[0], T[1] and T[2] at its ends and its middle: l(t) D(t) + m(t) S(t).
-   Linear where there is no S at an end. */
+/* Cross tangents along a side, l(t) D(t) + m(t) S(t), that are T[0], T[1] and T[2] at its beginning,
+   middle and end. Linear where there is no S at an end. */
 NAGATA3_API brown_field browni_cross_tangents(const browni_frame *f, const n3_vec T[3])
 {
     n3_real l[3], m[3];
@@ -821,7 +842,7 @@ NAGATA3_API brown_square brown_quad_from_edges(const n3_vertex corner[4], const 
     s.side[3] = edge[1];
     for (k = 0; k < 4; k++)
         f[k] = browni_frame_of(&s.side[k], corner[end[k][0]].n, corner[end[k][1]].n,
-                               mid ? mid[round[k]] : n3_v(0, 0, 0));
+                               mid ? mid[round[k]] : n3_v(0, 0, 0), o);
     for (k = 0; k < 4; k++) {
         const n3_edge *cross = &s.side[k < 2 ? 2 : 0];
         int first = k / 2 * 2, at = 2 * (k % 2);
@@ -847,6 +868,71 @@ NAGATA3_API n3_vec brown_mid_normal(n3_vertex a, n3_vertex b, const n3_vertex c[
                                     const n3_vertex d[2])
 {
     return n3_add(n3_edge_mid_normal(a, b, c[0], d[0]), n3_edge_mid_normal(a, b, c[1], d[1]));
+}
+
+/* Corner k of the quad of the triangles f and f + 1, as one of theirs. */
+NAGATA3_API int browni_corner(int f, int k) { return 3 * f + (k < 3 ? k : 5); }
+
+NAGATA3_API n3_vertex browni_vertex(const n3_mesh *m, int corner)
+{
+    n3_vertex v;
+    v.x = n3i_point(m, n3i_at(m, corner));
+    v.n = n3i_corner_normal(m, corner);
+    return v;
+}
+
+/* The two points behind a side of a triangle, the one next to its end first: those of its quad, or
+   twice the triangle's. */
+NAGATA3_API void browni_behind(const n3_mesh *m, const int *half, int side, n3_vertex out[2])
+{
+    int f = side / 3, k = side % 3;
+    if (half[f] < 0) {
+        out[0] = out[1] = browni_vertex(m, 3 * f + (k + 2) % 3);
+        return;
+    }
+    k += half[f] % 2; /* the sides of 0 2 3 are the quad's second diagonal, third and fourth */
+    f -= half[f] % 2;
+    out[0] = browni_vertex(m, browni_corner(f, (k + 2) % 4));
+    out[1] = browni_vertex(m, browni_corner(f, (k + 3) % 4));
+}
+
+/* Zero where the faces at the side do not agree. */
+NAGATA3_API n3_vec browni_wanted(const n3_mesh *m, const n3_topology *t, const int *half, int side)
+{
+    int two[2], back;
+    n3_vertex a = browni_vertex(m, side), b = browni_vertex(m, n3i_after(side)), c[2], d[2];
+    n3_vec turn_a, turn_b;
+    if (!n3i_is_regular(m, t, t->edge[side], two)) return n3_v(0, 0, 0);
+    back = two[0] + two[1] - side;
+    turn_a = n3_sub(n3i_corner_normal(m, n3i_after(back)), a.n);
+    turn_b = n3_sub(n3i_corner_normal(m, back), b.n);
+    if (!n3i_is_zero(turn_a) || !n3i_is_zero(turn_b)) return n3_v(0, 0, 0);
+    browni_behind(m, half, side, c);
+    browni_behind(m, half, back, d);
+    return brown_mid_normal(a, b, c, d);
+}
+
+NAGATA3_API brown_square brown_mesh_square(const n3_mesh *m, const n3_topology *t,
+                                           const n3_vec *net, const int *half, int f,
+                                           const n3_options *o)
+{
+    static const int triangle_side[4] = {0, 1, 4, 5};
+    n3_vertex corner[4];
+    n3_vec mid[4];
+    n3_edge e[6], edge[4];
+    int i;
+    for (i = 0; i < 2; i++) {
+        n3_patch p = n3i_mesh_patch(m, t, net, f + i);
+        n3_patch_edges(&p, e + 3 * i);
+    }
+    for (i = 0; i < 4; i++) {
+        int side = triangle_side[i];
+        corner[i] = browni_vertex(m, browni_corner(f, i));
+        edge[i] = e[side];
+        mid[i] = n3_v(0, 0, 0);
+        if (o && o->rule == N3_RULE_FIT) mid[i] = browni_wanted(m, t, half, 3 * f + side);
+    }
+    return brown_quad_from_edges(corner, edge, mid, o);
 }
 
 #ifdef __cplusplus

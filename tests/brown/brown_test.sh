@@ -69,6 +69,11 @@ for kind in stl ply vtu vtk msh; do
     check ".$kind" "$brown" "$shapes/plane.brown" -o "$dir/plane.$kind" --quiet
     check ".$kind is there" test -s "$dir/plane.$kind"
 done
+for view in shaded zebra isophote mean gauss; do
+    check "picture, $view" "$brown" "$shapes/plane.brown" --view $view --size 80x60 \
+        -o "$dir/$view.png" --quiet
+done
+check 'pictures differ' sh -c "! cmp -s '$dir/shaded.png' '$dir/zebra.png'"
 count() { sed -n 's/.*: \([0-9]*\) flat.*/\1/p'; }
 triangles() { "$brown" "$shapes/plane.brown" -o "$dir/out.obj" "$@" 2>&1 | count; }
 check 'level 1' [ "$(triangles -n 1)" = 50 ]
@@ -129,6 +134,9 @@ usage "$shapes/plane.brown" -o "$dir/out.step"
 usage "$shapes/plane.brown" -o "$dir/out.obj" -n 0
 usage "$shapes/plane.brown" -o "$dir/out.obj" -n 3 --tol 1
 usage "$shapes/plane.brown" -o "$dir/out.obj" --rule arc
+usage "$shapes/plane.brown" -o "$dir/out.obj" --view zebra
+usage "$shapes/plane.brown" -o "$dir/out.png" --view net
+usage "$shapes/plane.brown" -o "$dir/out.vtu" --bezier
 check 'help' "$brown" --help >/dev/null
 
 # ---- Own curves and every parameter. ----
@@ -166,7 +174,7 @@ check 'it is closed' facts "$dir/out.obj" '
                 c[5] = c[2]; for (i = 2; i <= 4; i++) side[c[i], c[i + 1]]++ }
     END { for (s in side) { split(s, a, SUBSEP); if (side[s] != 1 || side[a[2], a[1]] != 1) bad++ }
           exit bad > 0 }'
-for out in '-n 3 -o out.ply' '--tol 1% -o out.stl' '--order 2 -o out.vtu' '-o out.msh'; do
+for out in '--view zebra -o out.png' '-n 3 -o out.ply' '--tol 1% -o out.stl' '--order 2 -o out.vtu' '-o out.msh'; do
     check "smooth --quads brown $out" "$smooth" "$dir/torus.obj" --quads brown --quiet \
         ${out%out.*} "$dir/out.${out##*.}"
 done

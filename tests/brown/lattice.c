@@ -58,9 +58,15 @@ static void set_all(lattice *a, brown_shape p)
 
 enum { U, V };
 
-static int curves_of(const lattice *a, int family) { return family == V ? a->l.columns : a->l.rows; }
+static int curves_of(const lattice *a, int family)
+{
+    return family == V ? a->l.columns : a->l.rows;
+}
 
-static int points_of(const lattice *a, int family) { return family == V ? a->l.rows : a->l.columns; }
+static int points_of(const lattice *a, int family)
+{
+    return family == V ? a->l.rows : a->l.columns;
+}
 
 /* CU_j(t) on the part behind its point i; beyond the lattice there is none. */
 static dvec curve(const lattice *a, int family, int j, int i, double t)
@@ -82,7 +88,10 @@ static brown_shape shape(const lattice *a, int family, int j, int i)
     return family == V ? a->v_shape[i * a->l.columns + j] : a->u_shape[j * a->l.columns + i];
 }
 
-static double between(n3_real a, n3_real b, double t) { return (1 - t) * (double)a + t * (double)b; }
+static double between(n3_real a, n3_real b, double t)
+{
+    return (1 - t) * (double)a + t * (double)b;
+}
 
 /* DSU_j (out = 0) or DDU_j (out = 1) at t on the part behind the point i. */
 static dvec tangent(const lattice *a, int family, int j, int i, int out, double t)
@@ -123,8 +132,8 @@ static void check_tangents(const lattice *a, int family, int out, double t, doub
     int i, j;
     for (j = !out; j < curves_of(a, family) - out; j++)
         for (i = 0; i + 1 < points_of(a, family); i++)
-            CHECK_VEC(narrow(made(a, family, j, i, out, t)), narrow(tangent(a, family, j, i, out, t)),
-                      tolerance, row);
+            CHECK_VEC(narrow(made(a, family, j, i, out, t)),
+                      narrow(tangent(a, family, j, i, out, t)), tolerance, row);
 }
 
 static void tangents(uint64_t seed, int family, int out)
@@ -144,7 +153,7 @@ static void eq_7(void) { tangents(7, U, 1); }
 static void eq_8(void) { tangents(8, V, 0); }
 static void eq_9(void) { tangents(9, V, 1); }
 
-/* A bias of 1 leaves alpha = gamma = 1 alone and so the chord before the curve, -1 the one behind. */
+/* A bias of 1 leaves alpha = gamma = 1 alone, so the chord before the curve, -1 the one behind. */
 static void chords(uint64_t seed, int family, int before)
 {
     rng r = {0};
@@ -194,9 +203,9 @@ static void section_3(void)
                 k = out ? j : j - 2; /* the lower of the two chords */
                 k = k < 0 ? 0 : k >= last ? last - 1 : k;
                 CHECK_VEC(narrow(made(&a, family, j, i, out, t)),
-                          narrow(d_mul((out ? -1 : 1) * (double)p.rise,
-                                       d_sub(chord(&a, family, k + 1, i, t),
-                                             chord(&a, family, k, i, t)))),
+                          narrow(d_mul(
+                              (out ? -1 : 1) * (double)p.rise,
+                              d_sub(chord(&a, family, k + 1, i, t), chord(&a, family, k, i, t)))),
                           64 * EPS, n);
             }
     }
@@ -243,12 +252,34 @@ static void jumps(void)
             brown_square below = brown_lattice_square(&a.l, i, 0);
             brown_square above = brown_lattice_square(&a.l, i, 1);
             n3_jet in = brown_jet(&below, t, 1), out = brown_jet(&above, t, 0);
-            dvec want = d_sub(tangent(&a, U, 1, i, 1, (double)t), tangent(&a, U, 1, i, 0, (double)t));
+            dvec want =
+                d_sub(tangent(&a, U, 1, i, 1, (double)t), tangent(&a, U, 1, i, 0, (double)t));
             CHECK_SAME(in.x, out.x, n);
             CHECK_VEC(n3_sub(out.dv, in.dv), narrow(smooth ? d_v(0, 0, 0) : want),
                       2 * field_error * EPS, n);
             CHECK_VEC(n3_sub(out.du, in.du), n3_v(0, 0, 0), field_error * EPS, n);
         }
+    }
+}
+
+/* Rounding in the tangents of sides and squares is no difference between them: second derivatives
+ * next to a corner would hold it divided by the distance. Third derivatives are below 2000. */
+static void quiet_corners(void)
+{
+    rng r = {15};
+    long n, count = sample_count(SAMPLES);
+    n3_real e = sizeof(n3_real) == 8 ? N3_EPS * 4096 : N3_EPS * 8; /* 2^-40, 2^-20 */
+    for (n = 0; n < count; n++) {
+        lattice a;
+        brown_square s;
+        n3_jet j, k;
+        draw_lattice(&r, &a);
+        s = brown_lattice_square(&a.l, 0, 0);
+        j = brown_jet(&s, e, e);
+        k = brown_jet(&s, 2 * e, 2 * e);
+        CHECK_VEC(k.duu, j.duu, 2000 * (double)e + 2000 * EPS, n);
+        CHECK_VEC(k.duv, j.duv, 2000 * (double)e + 2000 * EPS, n);
+        CHECK_VEC(k.dvv, j.dvv, 2000 * (double)e + 2000 * EPS, n);
     }
 }
 
@@ -272,8 +303,9 @@ static void own_curves(void)
         n3_real t = (n3_real)i / 8;
         n3_vec want = n3_edge_point(&own[3], t);
         CHECK_SAME(brown_point(&s, t, 0), want, i);
-        if (i % 8) CHECK_VEC(brown_jet(&s, t, 0).dv, narrow(tangent(&a, U, 1, 1, 1, (double)t)),
-                             field_error * EPS, i);
+        if (i % 8)
+            CHECK_VEC(brown_jet(&s, t, 0).dv, narrow(tangent(&a, U, 1, 1, 1, (double)t)),
+                      field_error * EPS, i);
     }
 }
 
@@ -350,7 +382,7 @@ static void check(void)
 {
     rng r = {14};
     lattice a;
-    int item = -7;
+    int item = -7, i;
     draw_lattice(&r, &a);
     a.l.columns = a.l.rows = 3;
     set_all(&a, a.u_shape[0]);
@@ -367,6 +399,12 @@ static void check(void)
     a.v_shape[5].bias = 0;
     a.v_shape[7].rise = 1;
     CHECK(brown_lattice_check(&a.l, &item) == BROWN_BAD_RISE && item == 7, 5);
+    memset(a.u_shape, 0, sizeof a.u_shape);
+    memset(a.v_shape, 0, sizeof a.v_shape);
+    for (i = 0; i < 9; i++) a.u_shape[i].rise = 1;
+    CHECK(brown_lattice_check(&a.l, &item) == BROWN_OK, 6);
+    a.l.rows = 2;
+    CHECK(brown_lattice_check(&a.l, &item) == BROWN_BAD_RISE && item == 0, 7);
 }
 
 const test_case tests_lattice[] = {{"brown_eq_2", eq_2},
@@ -380,6 +418,7 @@ const test_case tests_lattice[] = {{"brown_eq_2", eq_2},
                                    {"brown_section_3", section_3},
                                    {"brown_points_are_kept", points_are_kept},
                                    {"brown_jumps", jumps},
+                                   {"brown_quiet_corners", quiet_corners},
                                    {"brown_own_curves", own_curves},
                                    {"brown_plane", plane},
                                    {"brown_half_cylinder", half_cylinder},

@@ -144,6 +144,27 @@ static void scaled(void)
     }
 }
 
+/* The paper's rule takes normals that look to either side: the same edges, and tangents that differ
+ * by roundings, of which the longest chain has 30. */
+static void either_side(void)
+{
+    rng r = {26};
+    long n, count = sample_count(SAMPLES);
+    for (n = 0; n < count; n++) {
+        n3_vertex v[6], corner[4];
+        brown_square s, t;
+        n3_real u = dyadic(&r, 0, 1), w = dyadic(&r, 0, 1);
+        int flipped = (int)(n % 4);
+        draw_two(&r, v);
+        quad_of(v, 0, corner);
+        s = brown_quad_make(corner, NULL);
+        corner[flipped].n = n3_mul(-1, corner[flipped].n);
+        t = brown_quad_make(corner, NULL);
+        CHECK_VEC(brown_point(&t, u, w), brown_point(&s, u, w), 3 * 30 * EPS, n);
+        CHECK_SAME(brown_point(&t, u, 0), brown_point(&s, u, 0), n);
+    }
+}
+
 /* Whatever comes in, finite answers come out, and normals are unit or zero. */
 static void degenerate(void)
 {
@@ -205,8 +226,127 @@ static void tense_side(void)
         memset(&s.across[0], 0, sizeof s.across[0]);
         s.side[2].p[1] = s.side[2].p[0];
         s.side[3].p[1] = s.side[3].p[0];
-        CHECK_VEC(brown_normal(&s, t, 0),
-                  brown_normal(&s, t + way * ((n3_real)1 / 2 - t), way / 2), 20 * way, n);
+        CHECK_VEC(brown_normal(&s, t, 0), brown_normal(&s, t + way * ((n3_real)1 / 2 - t), way / 2),
+                  20 * way, n);
+    }
+}
+
+/* Both tangents vanish in a corner, as with tension 1 on both curves there: the normal is the
+ * limit. Flatter still, second derivatives too: it is the normal a 1024th of the way on. */
+static void tense_corner(void)
+{
+    rng r = {27};
+    long n, count = sample_count(SAMPLES);
+    for (n = 0; n < count; n++) {
+        n3_vertex v[6], corner[4];
+        brown_square s;
+        int flatter = (int)(n % 2), i;
+        n3_real way = (n3_real)(sizeof(n3_real) == 8 ? 1e-7 : 1e-3);
+        draw_two(&r, v);
+        quad_of(v, 0, corner);
+        s = brown_quad_make(corner, NULL);
+        for (i = 0; i < 4; i += 2) {
+            int k;
+            for (k = 1; k < 2 + flatter; k++) s.side[i].p[k] = s.side[i].p[0];
+            for (k = 0; k < 1 + flatter; k++) s.across[i].h.p[k] = n3_v(0, 0, 0);
+            memset(&s.across[i].r, 0, sizeof s.across[i].r);
+        }
+        CHECK_VEC(brown_normal(&s, 0, 0), brown_normal(&s, way, way),
+                  50 * (double)way + (flatter ? 200 * (double)BROWNI_WAY : 0), n);
+    }
+}
+
+/* Where one vertex has no normal, two quads nearly agree along their edge towards its other end:
+ * their tangents there differ, and count with the fourth power of the distance. Where none has, a
+ * quad is bilinear. */
+static void without_normals(void)
+{
+    rng r = {28};
+    long n, count = sample_count(SAMPLES);
+    for (n = 0; n < count; n++) {
+        n3_vertex v[6], corner[4];
+        brown_square s[2];
+        int i;
+        n3_real u = dyadic(&r, 0, 1), w = dyadic(&r, 0, 1), t;
+        draw_two(&r, v);
+        v[n % 2 ? 1 : 4].n = n3_v(0, 0, 0);
+        for (i = 0; i < 2; i++) {
+            quad_of(v, i, corner);
+            s[i] = brown_quad_make(corner, NULL);
+        }
+        t = (n3_real)(n % 2 ? 7 : 1) / 8;
+        CHECK_VEC(brown_normal(&s[0], 1, t), brown_normal(&s[1], 0, t), 1e-3, n);
+        for (i = 0; i < 4; i++) corner[i].n = n3_v(0, 0, 0);
+        s[0] = brown_quad_make(corner, NULL);
+        CHECK_VEC(
+            brown_point(&s[0], u, w),
+            n3_add(n3_add(n3_mul((1 - u) * (1 - w), corner[0].x), n3_mul(u * (1 - w), corner[1].x)),
+                   n3_add(n3_mul(u * w, corner[2].x), n3_mul((1 - u) * w, corner[3].x))),
+            64 * EPS, n);
+    }
+}
+
+/* A vertex of the torus R = 2, r = 1 in a grid of 24 by 16 whose columns are sheared. */
+static n3_vertex on_torus(int i, int j, double shear)
+{
+    double a = PI * i / 12, b = PI * (j + shear * i) / 8, rho = 2 + cos(b);
+    n3_vertex v;
+    v.x = narrow(d_v(rho * cos(a), rho * sin(a), sin(b)));
+    v.n = narrow(d_v(cos(b) * cos(a), cos(b) * sin(a), sin(b)));
+    return v;
+}
+
+/* The quad between columns 0 and 1, rows j and j + 1. */
+static brown_square torus_quad(int j, double shear, int fit)
+{
+    static const int at[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    static const int over[4][2][2] = {
+        {{0, -1}, {1, -1}}, {{2, 0}, {2, 1}}, {{1, 2}, {0, 2}}, {{-1, 1}, {-1, 0}}};
+    n3_options o = {N3_RULE_ARC, 0, 0};
+    n3_vertex v[4], c[2], d[2];
+    n3_edge edge[4];
+    n3_vec mid[4];
+    int i, k;
+    for (i = 0; i < 4; i++) v[i] = on_torus(at[i][0], j + at[i][1], shear);
+    for (i = 0; i < 4; i++) {
+        edge[i] = n3_edge_make(v[i], v[(i + 1) % 4], &o);
+        for (k = 0; k < 2; k++) {
+            c[k] = v[(i + 2 + k) % 4];
+            d[k] = on_torus(over[i][k][0], j + over[i][k][1], shear);
+        }
+        mid[i] = fit ? brown_mid_normal(v[i], v[(i + 1) % 4], c, d) : n3_v(0, 0, 0);
+    }
+    return brown_quad_from_edges(v, edge, mid, &o);
+}
+
+/* The largest distance from the torus and the largest sine between the normals, found and held. */
+static void torus(void)
+{
+    static const struct {
+        double shear;
+        int fit;
+        double distance, sine;
+    } row[] = {{0, 0, 6.3e-4, 1.72e-2},
+               {0, 1, 2.1e-4, 2.3e-3},
+               {0.25, 0, 5.66e-4, 1.57e-2},
+               {0.25, 1, 1.88e-4, 2.36e-3}};
+    int k, i, j, q;
+    for (k = 0; k < 4; k++) {
+        double distance = 0, sine = 0;
+        for (q = 0; q < 16; q++) {
+            brown_square s = torus_quad(q, row[k].shear, row[k].fit);
+            for (j = 0; j <= 12; j++)
+                for (i = 0; i <= 12; i++) {
+                    n3_real u = (n3_real)i / 12, v = (n3_real)j / 12;
+                    dvec x = wide(brown_point(&s, u, v)), n = wide(brown_normal(&s, u, v));
+                    double rho = hypot(x.x, x.y), c = rho - 2;
+                    dvec want = d_unit(d_v(x.x / rho * c, x.y / rho * c, x.z));
+                    distance = fmax(distance, fabs(hypot(c, x.z) - 1));
+                    sine = fmax(sine, d_len(d_cross(n, want)));
+                }
+        }
+        CHECK_NEAR(distance, row[k].distance, 0.05 * row[k].distance, k);
+        CHECK_NEAR(sine, row[k].sine, 0.05 * row[k].sine, k);
     }
 }
 
@@ -214,7 +354,11 @@ const test_case tests_quad[] = {{"brown_normals_do_not_jump", normals_do_not_jum
                                 {"brown_sides_are_edges", sides_are_edges},
                                 {"brown_flat", flat},
                                 {"brown_scaled", scaled},
+                                {"brown_either_side", either_side},
                                 {"brown_degenerate", degenerate},
                                 {"brown_collapsed_side", collapsed_side},
                                 {"brown_tense_side", tense_side},
+                                {"brown_tense_corner", tense_corner},
+                                {"brown_without_normals", without_normals},
+                                {"brown_torus", torus},
                                 {NULL, NULL}};

@@ -1,5 +1,5 @@
 #!/bin/sh
-# run.sh DIRECTORY, from the top of the project: the header alone, in every dialect of CC and CXX
+# run.sh DIRECTORY, from the top of the project: the headers alone, in every dialect of CC and CXX
 # and in both precisions, with the strictest warnings as errors; then twice in one file, in several
 # files of one program, in both precisions in one program, and without a C library.
 cc=${CC:-cc} cxx=${CXX:-c++} out=$1
@@ -20,12 +20,16 @@ check() {
     fi
 }
 
-# A file that includes the header twice and takes the address of every public function.
+# A file that includes the headers twice and takes the address of every public function.
+headers='nagata3.h examples/brown/brown.h'
 every_function() {
-    printf '#include "nagata3.h"\n#include "nagata3.h"\n'
+    printf '#include "%s"\n' $headers $headers
     printf 'typedef void (*function)(void);\nextern const function functions[];\n'
     printf 'const function functions[] = {\n'
-    sed -n 's/^NAGATA3_API [^(]*[ *]\(n3_[a-z0-9_]*\)(.*/    (function)\1,/p' nagata3.h | sort -u
+    for prefix in n3 brown; do
+        cat $headers |
+            sed -n "s/^NAGATA3_API [^(]*[ *]\(${prefix}_[a-z0-9_]*\)(.*/    (function)\1,/p" | sort -u
+    done
     printf '};\n'
 }
 
