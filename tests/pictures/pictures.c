@@ -327,6 +327,43 @@ static void test_whole(void)
         }
 }
 
+static int find_octant(const void *owner, int i, double u, double v, spot *out)
+{
+    *out = patch_spot((const n3_patch *)owner + i, u, v);
+    return 1;
+}
+
+/* A surface that is told point by point looks like its patches, though the scene's own ones are
+   flat: all but one in a hundred of the pixels, where stripes have their sides. */
+static void test_found(void)
+{
+    const colour ground = {1, 0, 1};
+    const camera c = {30, 20, 1, 'z'};
+    const panel all = {0, 0, 200, 150};
+    n3_patch patch[8], flat[8];
+    scene s = {8, 0, NULL, NULL, NULL, NULL}, told = {8, 0, NULL, NULL, find_octant, NULL};
+    picture p = picture_make(200, 150, ground), q = picture_make(200, 150, ground);
+    int i, k, different = 0;
+    for (i = 0; i < 8; i++) {
+        n3_vertex v[3];
+        patch[i] = octant(i);
+        for (k = 0; k < 3; k++) {
+            v[k].x = patch[i].p[k];
+            v[k].n = n3_v(0, 0, 0);
+        }
+        flat[i] = n3_patch_make(v[0], v[1], v[2], NULL);
+    }
+    s.patch = patch;
+    told.patch = flat;
+    told.owner = patch;
+    scene_draw(&p, all, &s, c, VIEW_ZEBRA, 0);
+    scene_draw(&q, all, &told, c, VIEW_ZEBRA, 0);
+    for (i = 0; i < 200 * 150; i++) different += fabs(p.pixel[i].r - q.pixel[i].r) > 0.1;
+    CHECK(different <= 200 * 150 / 100, different);
+    picture_free(&p);
+    picture_free(&q);
+}
+
 int main(void)
 {
     test_deflate();
@@ -337,6 +374,7 @@ int main(void)
     test_names();
     test_square();
     test_whole();
+    test_found();
     printf("pictures: %d passed, %d failed\n", passed, failed);
     return failed != 0;
 }
