@@ -10,11 +10,12 @@ MAKEFLAGS += -j$(shell nproc 2>/dev/null || echo 2)
 COMPILE  = $(CC) -std=c99 -Wall -Wextra -Wpedantic $(INCLUDE) $(CPPFLAGS) $(CFLAGS) $(THREADS)
 LINK     = $(COMPILE) $(LDFLAGS) -o $@ $(filter %.c,$^) $(filter %.a,$^) -lm
 INCLUDE  = -I. -Itests -Iexamples -Iexamples/brown -Iexamples/join
-EXAMPLES = smooth brown join gallery demo_mesh figure7 \
+EXAMPLES = smooth brown join gallery ray gap demo_mesh figure7 \
            $(patsubst examples/%.c,%,$(wildcard examples/[0-9]*.c))
-PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) facts scale accuracy seams) $(BENCH)
-PARALLEL = $(addprefix $(BUILD)/,smooth brown join gallery dump pictures)
+PROGRAMS = $(addprefix $(BUILD)/,$(EXAMPLES) facts scale accuracy seams) $(BENCH) $(ASKED)
+PARALLEL = $(addprefix $(BUILD)/,smooth brown join gallery ray gap dump pictures)
 BENCH    = $(addprefix $(BUILD)/bench_,double float)
+ASKED    = $(addprefix $(BUILD)/query_,double float)
 COUNTS   = $(addprefix $(BUILD)/counts_,double float)
 HEADER   = $(addprefix $(BUILD)/test_,double float)
 BROWN    = $(addprefix $(BUILD)/brown_test_,double float)
@@ -62,11 +63,20 @@ pictures: $(BUILD)/pictures $(BUILD)/smooth $(BUILD)/demo_mesh  ## what smooth d
 join: $(JOIN) $(BUILD)/join $(BUILD)/seams  ## two meshes joined by a smooth bridge
 	@sh tests/run.sh $(JOIN) "sh tests/join/join_test.sh $(BUILD)/join $(BUILD)/seams"
 
+joined: $(BUILD)/join $(BUILD)/smooth $(BUILD)/seams  ## pictures of joined meshes in build/joined
+	@sh examples/join/pictures.sh $(BUILD)/join $(BUILD)/smooth $(BUILD)/seams $(BUILD)/joined
+
+query: $(BUILD)/ray $(BUILD)/gap $(BUILD)/demo_mesh  ## rays and gaps, on bodies that are known
+	@sh tests/run.sh "sh tests/query_test.sh $(BUILD)/ray $(BUILD)/gap $(BUILD)/demo_mesh"
+
+gap: $(BUILD)/gap  ## the README's table of the gaps between smooth bodies
+	@$(BUILD)/gap
+
 seams: $(BUILD)/seams  ## the README's table of the angles at the seams of joined meshes
 	@$(BUILD)/seams
 
 large: $(BUILD)/smooth $(BUILD)/demo_mesh  ## two million triangles through smooth, in 2 GiB
-	@sh tests/run.sh "sh tests/large_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
+	@sh tests/run.sh "bash tests/large_test.sh $(BUILD)/smooth $(BUILD)/demo_mesh"
 
 fuzz: $(BUILD)/fuzz  ## read broken files of every format under the sanitizers; FILES=n of them
 	@$(BUILD)/fuzz $(FILES)
@@ -80,8 +90,9 @@ dialects:  ## the header alone, in every dialect of CC and CXX
 mutants:  ## break the header in 60 places, the tests must notice; MUTANTS=--all for everywhere
 	@CC="$(CC)" python3 tests/mutants.py $(MUTANTS) $(TEST_SRC)
 
-bench: $(BENCH) $(BUILD)/scale  ## what calls and meshes cost; also as CSV below build
+bench: $(BENCH) $(ASKED) $(BUILD)/scale  ## what calls and meshes cost; also as CSV below build
 	@for b in $(BENCH); do $$b $(ROUNDS) $$b.csv || exit; done
+	@for b in $(ASKED); do $$b $(ROUNDS) || exit; done
 	@$(BUILD)/scale $(LARGEST)
 
 bench-counts: $(COUNTS)  ## instructions of each call against bench/counts.csv, by valgrind
@@ -143,15 +154,18 @@ $(BUILD)/brown: $(wildcard examples/brown/*.c)
 $(BUILD)/join: examples/join/join.c
 $(BUILD)/seams: examples/join/seams.c examples/join/inputs.c
 $(BUILD)/gallery: $(wildcard examples/gallery*.c)
+$(BUILD)/ray $(BUILD)/gap: $(BUILD)/%: examples/query/%.c examples/query/tree.c
 $(BUILD)/accuracy: $(wildcard bench/accuracy*.c)
 $(BENCH) $(COUNTS): bench/bench.c
+$(ASKED): bench/query.c
 $(BUILD)/write_seeds: tests/fuzz/write_seeds.c $(SEEDS)
 $(BUILD)/fuzz: tests/fuzz/fuzz.c $(SEEDS) $(FUZZ)
 $(BUILD)/dump: tests/fuzz/dump.c
 $(BUILD)/pictures: $(wildcard tests/pictures/*.c)
 $(PARALLEL): $(BUILD)/shared.a
 $(addprefix $(BUILD)/,facts scale): $(BUILD)/%: bench/%.c
-$(filter-out %/brown %/join %/gallery,$(addprefix $(BUILD)/,$(EXAMPLES))): $(BUILD)/%: examples/%.c
+$(filter-out %/brown %/join %/gallery %/ray %/gap,$(addprefix $(BUILD)/,$(EXAMPLES))): \
+  $(BUILD)/%: examples/%.c
 
 $(PROGRAMS) $(TESTS) $(TOOLS) $(COUNTS): $(HEADERS) | $(BUILD)
 	$(LINK)
@@ -179,5 +193,6 @@ $(TESTS): CFLAGS := $(if $(filter file,$(origin CFLAGS)),-O1,$(CFLAGS)) # compil
 $(BUILD):
 	mkdir -p $@
 
-.PHONY: all demo test brown quads join seams files pictures large fuzz ledger dialects \
-        mutants bench bench-counts accuracy sweep facts golden gallery figures install help clean
+.PHONY: all demo test brown quads join joined seams query gap files pictures large \
+        fuzz ledger dialects mutants bench bench-counts accuracy sweep facts golden gallery \
+        figures install help clean

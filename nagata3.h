@@ -22,7 +22,8 @@
  * CONTENTS
  *
  *     Part I, the paper     vectors, segment, curve plane, edge, patch, evaluator
- *     Part II, the mesh     what a mesh of triangles needs on top of single patches
+ *     Part II, the mesh     what a mesh of triangles needs on top of single patches; and what is
+ *                           asked of one: box, parts, curvature, nearest point, rays, sums
  *
  * THE SURFACE
  *
@@ -69,6 +70,7 @@
  *     n3_mesh_normals     normals where there are none, parted at creases
  *     n3_mesh_net         the control points of all patches, each edge built once
  *     n3_mesh_patches     the patches; n3_mesh_refine: a finer mesh on them
+ *     n3_lattice_points   points on each patch; n3_patch_points: where they are wanted
  *     n3_mesh_cut         how fine it must be, edge by edge, to be within a distance
  *     n3_mesh_field       nodal values, carried to the finer mesh
  *     n3_mesh_report      what was found and what was done
@@ -736,18 +738,21 @@ NAGATA3_API void n3_edge_split(const n3_edge *e, n3_real t, n3_edge out[2])
 
 /* ---- Definitions: the patch ---- */
 
-NAGATA3_API n3_vec n3i_centre(const n3_vec p[10])
+/* Of the patch whose points are p[k[0]], p[k[1]] and so on. */
+NAGATA3_API n3_vec n3i_centre(const n3_vec *p, const int k[9])
 {
-    n3_vec p201_p021 = n3_add(p[4], p[7]), p012_p210 = n3_add(p[8], p[5]);
-    n3_vec p102_p120 = n3_add(p[3], p[6]), corners = n3_add(n3_add(p[0], p[1]), p[2]);
+    n3_vec p201_p021 = n3_add(p[k[4]], p[k[7]]), p012_p210 = n3_add(p[k[8]], p[k[5]]);
+    n3_vec p102_p120 = n3_add(p[k[3]], p[k[6]]);
+    n3_vec corners = n3_add(n3_add(p[k[0]], p[k[1]]), p[k[2]]);
     return n3_sub(n3i_over(n3_add(n3_add(p201_p021, p012_p210), p102_p120), 4),
                   n3i_over(corners, 6));                                           /* (6.1.10) */
 }
 
 NAGATA3_API n3_vec n3_patch_centre(const n3_edge *ab, const n3_edge *bc, const n3_edge *ca)
 {
+    static const int order[9] = {0, 1, 2, 3, 4, 5, 6, 7, 8};
     n3_patch p = n3_patch_from_edges(ab, bc, ca, ab->p[0]);
-    return n3i_centre(p.p);
+    return n3i_centre(p.p, order);
 }
 
 /* (6.1.10) has quadratic precision only. In centred coordinates s an arc's own cubic is
@@ -1247,7 +1252,8 @@ NAGATA3_API void n3_patch_normals(const n3_patch *patch, const int *parent, cons
 /* ---- Report ---- */
 
 /* False if the patch certainly has no fold: all control vectors of its normal, du x dv, a quartic,
-   make an acute angle with their sum. True says that it may have one. */
+   make an acute angle with the normal of its outline. True says that it may have one;
+   n3_patch_folds looks closer. */
 NAGATA3_API int n3_patch_may_fold(const n3_patch *p);
 
 /* What is in a mesh and what became of it. A count that could not be taken, for want of the
@@ -1335,7 +1341,7 @@ typedef struct n3_foot {
     n3_vec x;             /* n3_patch_point at u, v */
     n3_real u, v;
     n3_real distance2;    /* the square of the distance */
-    int side;             /* 1: the point is where the normal at x looks to, -1: behind, 0: neither */
+    int side;             /* 1: the point is where the normal at x looks to, -1: behind it */
 } n3_foot;
 
 /* The nearest point of the whole patch, however it is folded: its squared distance is the least one
@@ -2412,23 +2418,33 @@ NAGATA3_API n3i_joint n3i_joint_make(const n3i_pair *list, int count, int end, n
     return joint;
 }
 
-/* The one pair that all triangles of an edge name; false if they differ. */
-NAGATA3_API int n3i_common_pair(const n3_mesh *m, const n3_topology *t, int edge, int from,
-                                n3i_pair *p)
+/* The ends of an edge whose triangles all name the same normals, in canonical order, by place, then
+   by number; false if they differ. */
+NAGATA3_API int n3i_common_ends(const n3_mesh *m, const n3_topology *t, int edge, int point[2],
+                                n3_vertex end[2])
 {
-    int i, name[2] = {-1, -1};
-    for (i = t->first[edge]; i < t->first[edge + 1]; i++) {
-        int s = t->side[i], back = n3i_at(m, s) != from;
-        int here = n3i_normal_at(m, s), next = n3i_normal_at(m, n3i_after(s));
-        if (i > t->first[edge] && (here != name[back] || next != name[!back])) return 0;
-        name[back] = here;
-        name[!back] = next;
+    int i = t->first[edge], s = t->side[i], next = n3i_after(s), order;
+    int a = n3i_at(m, s), b = n3i_at(m, next), c = n3i_normal_at(m, s), d = n3i_normal_at(m, next);
+    n3_vec x = n3i_point(m, a), y = n3i_point(m, b);
+    for (i++; i < t->first[edge + 1]; i++) {
+        s = t->side[i];
+        next = n3i_after(s);
+        order = n3i_at(m, s) == a;
+        if (n3i_normal_at(m, order ? s : next) != c || n3i_normal_at(m, order ? next : s) != d)
+            return 0;
     }
-    for (i = 0; i < 2; i++) p->n[i] = n3i_normal_named(m, name[i]);
+    order = n3i_order(x, y);
+    i = order > 0 || (order == 0 && a > b);
+    point[i] = a;
+    point[!i] = b;
+    end[i].x = x;
+    end[!i].x = y;
+    end[i].n = n3i_normal_named(m, c);
+    end[!i].n = n3i_normal_named(m, d);
     return 1;
 }
 
-/* An edge of the mesh with its ends in canonical order, by place, then by number. */
+/* An edge of the mesh with its ends in canonical order. */
 typedef struct n3i_seam { int point[2]; n3_vertex end[2]; n3i_joint joint[2]; } n3i_seam;
 
 NAGATA3_API void n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edge, n3i_seam *seam)
@@ -2436,7 +2452,11 @@ NAGATA3_API void n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edge, n
     n3i_pair list[N3I_PAIRS];
     n3_vec e;
     int i, count;
-    memset(seam, 0, sizeof *seam);
+    memset(seam->joint, 0, sizeof seam->joint);
+    if (n3i_common_ends(m, t, edge, seam->point, seam->end)) {
+        for (i = 0; i < 2; i++) seam->joint[i].n = seam->end[i].n;
+        return;
+    }
     n3_mesh_edge_ends(m, t, edge, seam->point);
     if (n3i_order(n3i_point(m, seam->point[0]), n3i_point(m, seam->point[1])) > 0) {
         i = seam->point[0];
@@ -2444,10 +2464,6 @@ NAGATA3_API void n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edge, n
         seam->point[1] = i;
     }
     for (i = 0; i < 2; i++) seam->end[i].x = n3i_point(m, seam->point[i]);
-    if (n3i_common_pair(m, t, edge, seam->point[0], list)) {
-        for (i = 0; i < 2; i++) seam->end[i].n = seam->joint[i].n = list->n[i];
-        return;
-    }
     e = n3_unit(n3_sub(seam->end[1].x, seam->end[0].x));
     count = n3i_collect(m, t, edge, seam->point[0], list);
     for (i = 0; i < 2; i++) {
@@ -2641,9 +2657,10 @@ NAGATA3_API n3_vec n3i_mesh_centre(const n3_mesh *m, const n3_topology *t, const
     n3_edge e[3];
     n3_patch p;
     n3_vec n[3], mid[3];
-    int i;
-    n3_mesh_patches(m, t, net, triangle, triangle + 1, &p);
-    if (!n3i_is_arc(o)) return n3i_centre(p.p);
+    int i, node[10];
+    n3_mesh_patch_nodes(m, t, triangle, node);
+    if (!n3i_is_arc(o)) return n3i_centre(net, node);
+    for (i = 0; i < 10; i++) p.p[i] = net[node[i]];
     n3_patch_edges(&p, e);
     for (i = 0; i < 3; i++) n[i] = n3i_corner_normal(m, 3 * triangle + i);
     if (o->rule != N3_RULE_FIT) return n3_patch_centre_arc(&e[0], &e[1], &e[2], n, NULL);
@@ -2651,9 +2668,9 @@ NAGATA3_API n3_vec n3i_mesh_centre(const n3_mesh *m, const n3_topology *t, const
     return n3_patch_centre_arc(&e[0], &e[1], &e[2], n, mid);
 }
 
-/* The two inner control points of seams. The wide form writes eight numbers of each. */
-NAGATA3_API void n3i_seam_points(const n3i_seam seam[N3I_WIDTH], const n3_options *given,
-                                 n3_vec out[N3I_WIDTH][3])
+/* The two inner control points of edges, by ends; the wide form writes eight numbers of each. */
+NAGATA3_API n3i_mask n3i_edge_points(n3_vertex end[N3I_WIDTH][2], const n3_options *given,
+                                     n3_vec out[N3I_WIDTH][3])
 {
     const n3_real *from[N3I_WIDTH];
     n3_real *to[N3I_WIDTH];
@@ -2662,37 +2679,38 @@ NAGATA3_API void n3i_seam_points(const n3i_seam seam[N3I_WIDTH], const n3_option
     n3i_wide_vec p[3];
     n3i_mask ok;
     int i;
-    for (i = 0; i < N3I_WIDTH; i++) from[i] = &seam[i].end[0].x.x;
+    for (i = 0; i < N3I_WIDTH; i++) from[i] = &end[i][0].x.x;
     for (i = 0; i < N3I_WIDTH; i++) to[i] = &out[i][0].x;
     n3i_load(from, 12, &v[0].x.x);
     ok = n3i_is_arc(&o) ? n3i_wide_edge_arc(v[0], v[1], p) : n3i_wide_edge_paper(v[0], v[1], &o, p);
     p[2] = p[0];
     n3i_store(&p[0].x, 8, to);
-    for (i = 0; i < N3I_WIDTH; i++) {
-        n3_edge e;
-        if (n3i_lane(ok, i) && !(seam[i].joint[0].share > 0) && !(seam[i].joint[1].share > 0))
-            continue;
-        e = n3i_seam_edge(&seam[i], given);
-        out[i][0] = e.p[1];
-        out[i][1] = e.p[2];
-    }
+    return ok;
 }
 
 NAGATA3_API void n3_mesh_edges(const n3_mesh *m, const n3_topology *t, const n3_options *o,
                                int first, int last, n3_vec *net, unsigned *flags)
 {
-    n3i_seam seam[N3I_WIDTH];
+    n3_vertex end[N3I_WIDTH][2];
     n3_vec p[N3I_WIDTH][3];
-    int i, edge;
+    int i, k, common[N3I_WIDTH], point[N3I_WIDTH][2];
+    memset(end, 0, sizeof end);
     for (; first < last; first += N3I_WIDTH) {
-        int count = last - first < N3I_WIDTH ? last - first : N3I_WIDTH;
-        for (i = 0; i < N3I_WIDTH; i++) n3i_seam_of(m, t, i < count ? first + i : first, &seam[i]);
-        n3i_seam_points(seam, o, p);
-        for (i = 0, edge = first; i < count; i++, edge++) {
-            int back = seam[i].point[0] > seam[i].point[1];
-            net[m->points + 2 * edge + back] = p[i][0];
-            net[m->points + 2 * edge + !back] = p[i][1];
-            if (flags) flags[edge] = n3i_seam_flags(&seam[i], o) | n3i_face_flags(m, t, edge);
+        n3i_mask ok;
+        for (i = 0; i < N3I_WIDTH; i++)
+            common[i] = n3i_common_ends(m, t, first + i < last ? first + i : first, point[i], end[i]);
+        ok = n3i_edge_points(end, o, p);
+        for (i = 0; i < N3I_WIDTH && first + i < last; i++) {
+            n3_vec *out = net + m->points + 2 * (first + i);
+            n3i_seam seam;
+            n3_edge e;
+            int exact = common[i] && n3i_lane(ok, i);
+            if (flags || !exact) n3i_seam_of(m, t, first + i, &seam);
+            if (flags) flags[first + i] = n3i_seam_flags(&seam, o) | n3i_face_flags(m, t, first + i);
+            if (!exact) e = n3i_seam_edge(&seam, o);
+            k = exact ? point[i][0] > point[i][1] : seam.point[0] > seam.point[1];
+            out[k] = exact ? p[i][0] : e.p[1];
+            out[!k] = exact ? p[i][1] : e.p[2];
         }
     }
 }
@@ -3036,12 +3054,28 @@ NAGATA3_API void n3i_lattices(const n3_patch *patch, int count, int level, int w
         if (!n3i_lane(ok, i)) n3i_plain_lattice(&patch[i], level, what, out + size * (size_t)i);
 }
 
+/* Asks for what will be written next, no more than half a first cache: rows that lie apart would
+   not come in time by themselves. In a second cache, where this many vectors fit, they do. */
+enum { N3I_FETCHED = 16384 };
+
+NAGATA3_API void n3i_fetch(const n3_vec *to, size_t count)
+{
+#if NAGATA3_SIMD
+    const char *at = (const char *)to, *end = at + (count < 512 ? count : 512) * sizeof *to;
+    for (; at < end; at += 64) __builtin_prefetch(at, 1);
+#else
+    (void)to, (void)count;
+#endif
+}
+
 NAGATA3_API void n3i_lattice_range(const n3_patch *patch, int first, int last, int level, int what,
                                    n3_vec *out)
 {
     size_t size = (size_t)n3i_inside(level + 3);
     for (; first < last; first += N3I_WIDTH, out += N3I_WIDTH * size) {
         int count = last - first < N3I_WIDTH ? last - first : N3I_WIDTH;
+        if ((size_t)(last - first) * size > N3I_FETCHED)
+            n3i_fetch(out + N3I_WIDTH * size, N3I_WIDTH * size);
         n3i_lattices(patch + first, count, level, what, out);
     }
 }
@@ -4069,16 +4103,8 @@ NAGATA3_API n3_status n3_mesh_refine_cut(const n3_mesh *m, const n3_topology *t,
 
 NAGATA3_API int n3_patch_may_fold(const n3_patch *p)
 {
-    n3_patch boxed = n3i_patch_boxed(p);
-    n3_vec net[5][5], sum = n3_v(0, 0, 0);
-    int i, j;
-    n3i_normal_net(&boxed, net);
-    for (i = 0; i < 5; i++)
-        for (j = 0; i + j < 5; j++) sum = n3_add(sum, net[i][j]);
-    for (i = 0; i < 5; i++)
-        for (j = 0; i + j < 5; j++)
-            if (!(n3_dot(net[i][j], sum) > 0)) return 1;
-    return 0;
+    n3_patch q = n3i_patch_boxed(p);
+    return n3_patch_folds(&q, n3i_net_area(q.p), 1) != N3_NO;
 }
 
 /* A report on nothing: what takes the topology or the net is not known. */
@@ -4192,27 +4218,35 @@ NAGATA3_API void n3i_report_flags(const unsigned *flags, n3_report *r)
     r->degenerate_edges = n3i_count_flags(flags, r->edges, N3_EDGE_DEGENERATE);
 }
 
-/* The patch's normal at t along one of its sides. */
-NAGATA3_API n3_vec n3i_side_normal(const n3_patch *p, int side, n3_real t)
+/* The parameters of a patch at quarters of one of its sides, from its end if turned. */
+NAGATA3_API void n3i_side_quarters(int side, int turned, n3_real uv[6])
 {
-    if (side == 0) return n3_patch_normal(p, t, 0);
-    return side == 1 ? n3_patch_normal(p, 1 - t, t) : n3_patch_normal(p, 0, 1 - t);
+    int i;
+    for (i = 0; i < 3; i++) {
+        n3_real t = (n3_real)(turned ? 3 - i : i + 1) / 4;
+        uv[2 * i] = side == 0 ? t : side == 1 ? 1 - t : 0;
+        uv[2 * i + 1] = side == 0 ? 0 : side == 1 ? t : 1 - t;
+    }
 }
 
 NAGATA3_API void n3i_report_jump(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
                                  int edge, n3_report *r)
 {
+    static const int parent[6] = {0, 0, 0, 1, 1, 1};
     n3_patch p[2];
+    n3_real uv[12];
+    n3_vec n[6];
     int i, two[2];
     if (!n3i_is_regular(m, t, edge, two)) return;
-    for (i = 0; i < 2; i++)
+    for (i = 0; i < 2; i++) {
         if (n3i_is_zero(n3i_face_of(m, two[i] / 3).normal)) return;
-    for (i = 0; i < 2; i++) p[i] = n3i_mesh_patch(m, t, net, two[i] / 3);
-    for (i = 1; i < 4; i++) {
-        n3_real s = (n3_real)i / 4, jump;
-        n3_vec n0 = n3i_side_normal(&p[0], two[0] % 3, s);
-        n3_vec n1 = n3i_side_normal(&p[1], two[1] % 3, 1 - s);
-        jump = n3i_is_zero(n0) || n3i_is_zero(n1) ? 0 : n3_len(n3_sub(n0, n1));
+        p[i] = n3i_mesh_patch(m, t, net, two[i] / 3);
+        n3i_side_quarters(two[i] % 3, i, uv + 6 * i);
+    }
+    n3_patch_normals(p, parent, uv, 0, 6, n);
+    for (i = 0; i < 3; i++) {
+        n3_real jump = n3_len(n3_sub(n[i], n[3 + i]));
+        if (n3i_is_zero(n[i]) || n3i_is_zero(n[3 + i])) jump = 0;
         if (r->jump_edge >= 0 && !(jump > r->jump)) continue;
         r->jump = jump;
         r->jump_edge = edge;
@@ -4720,9 +4754,9 @@ NAGATA3_API n3_real n3_edge_nearest(const n3_edge *e, n3_vec q)
     return back ? t : 1 - t;
 }
 
-/* The patch seen from the point, the squared distance d = <x, x> at the weights w, and half of its
-   first and second derivatives in u and v: g, h as uu, uv, vv. gauss: h without <x, x_uu>. */
-typedef struct n3i_form { n3_real d, g[2], h[3], gauss[3]; } n3i_form;
+/* The patch seen from the point, x and its derivatives at the weights w; the squared distance
+   d = <x, x>, and half of its first and second derivatives in u and v: g, h as uu, uv, vv. */
+typedef struct n3i_form { n3_vec x, du, dv; n3_real d, g[2], h[3]; } n3i_form;
 
 /* Value, du, dv, duu, duv, dvv of a row, as in n3_patch_jet. */
 NAGATA3_API void n3i_row_jet(const n3_real x[10], const n3_real w[3], n3_real j[6])
@@ -4746,21 +4780,22 @@ NAGATA3_API void n3i_row_jet(const n3_real x[10], const n3_real w[3], n3_real j[
 
 NAGATA3_API n3i_form n3i_form_at(const n3i_cell *c, const n3_real w[3])
 {
+    n3_real x[6], y[6], z[6];
     n3i_form f;
-    int k, i;
-    memset(&f, 0, sizeof f);
-    for (k = 0; k < 3; k++) {
-        n3_real j[6];
-        n3i_row_jet(c->x[k], w, j);
-        f.d += j[0] * j[0];
-        f.g[0] += j[0] * j[1];
-        f.g[1] += j[0] * j[2];
-        f.gauss[0] += j[1] * j[1];
-        f.gauss[1] += j[1] * j[2];
-        f.gauss[2] += j[2] * j[2];
-        for (i = 0; i < 3; i++) f.h[i] += j[0] * j[3 + i];
-    }
-    for (i = 0; i < 3; i++) f.h[i] += f.gauss[i];
+    int i;
+    n3i_row_jet(c->x[0], w, x);
+    n3i_row_jet(c->x[1], w, y);
+    n3i_row_jet(c->x[2], w, z);
+    f.x = n3_v(x[0], y[0], z[0]);
+    f.du = n3_v(x[1], y[1], z[1]);
+    f.dv = n3_v(x[2], y[2], z[2]);
+    f.d = n3_dot(f.x, f.x);
+    f.g[0] = n3_dot(f.x, f.du);
+    f.g[1] = n3_dot(f.x, f.dv);
+    f.h[0] = n3_dot(f.du, f.du);
+    f.h[1] = n3_dot(f.du, f.dv);
+    f.h[2] = n3_dot(f.dv, f.dv);
+    for (i = 0; i < 3; i++) f.h[i] += n3_dot(f.x, n3_v(x[3 + i], y[3 + i], z[3 + i]));
     return f;
 }
 
@@ -4773,24 +4808,26 @@ NAGATA3_API int n3i_is_blocked(const n3_real w[3], const n3_real step[3])
     return 0;
 }
 
-/* Newton's step h step = -g; where h is not positive definite, by Gauss and Newton. */
+/* Newton's step h step = -g. Where h is not positive definite both of its eigenvalues are raised so
+   far that the smaller one is a 64th of what they were. */
 NAGATA3_API void n3i_free_step(const n3i_form *f, n3_real step[3])
 {
-    const n3_real *h = f->h;
-    n3_real det = h[0] * h[2] - h[1] * h[1], ridge = 0;
-    if (!(h[0] > 0 && det > N3_NOISE * h[0] * h[2])) {
-        h = f->gauss;
-        ridge = (h[0] + h[2]) / 1024;
-        det = h[0] * h[2] - h[1] * h[1] + ridge * (h[0] + h[2] + ridge);
-    }
+    n3_real uu = f->h[0], uv = f->h[1], vv = f->h[2], det = uu * vv - uv * uv;
     step[1] = step[2] = step[0] = 0;
+    if (!(uu > 0 && det > N3_NOISE * uu * vv)) {
+        n3_real half = n3i_middle(uu, -vv), root = n3i_sqrt(half * half + uv * uv);
+        n3_real mean = n3i_middle(uu, vv), raised = root - mean + (n3i_abs(mean) + root) / 64;
+        uu += raised;
+        vv += raised;
+        det = uu * vv - uv * uv;
+    }
     if (!(det > 0)) return;
-    step[1] = (h[1] * f->g[1] - (h[2] + ridge) * f->g[0]) / det;
-    step[2] = (h[1] * f->g[0] - (h[0] + ridge) * f->g[1]) / det;
+    step[1] = (uv * f->g[1] - vv * f->g[0]) / det;
+    step[2] = (uv * f->g[0] - uu * f->g[1]) / det;
     step[0] = -step[1] - step[2];
 }
 
-/* The same along the side across corner i. */
+/* The same along the side across corner i; where it bends down, to the end. */
 NAGATA3_API void n3i_side_step(const n3i_form *f, int i, n3_real step[3])
 {
     n3_real e[3], h, g;
@@ -4799,9 +4836,8 @@ NAGATA3_API void n3i_side_step(const n3i_form *f, int i, n3_real step[3])
     e[(i + 2) % 3] = -1;
     g = f->g[0] * e[1] + f->g[1] * e[2];
     h = f->h[0] * e[1] * e[1] + 2 * f->h[1] * e[1] * e[2] + f->h[2] * e[2] * e[2];
-    if (!(h > 0))
-        h = f->gauss[0] * e[1] * e[1] + 2 * f->gauss[1] * e[1] * e[2] + f->gauss[2] * e[2] * e[2];
-    for (i = 0; i < 3; i++) step[i] = h > 0 ? -g / h * e[i] : 0;
+    g = h > 0 ? -g / h : g > 0 ? -1 : g < 0 ? 1 : 0;
+    for (i = 0; i < 3; i++) step[i] = g * e[i];
 }
 
 /* A step that stays in the triangle, along a side if need be; the zero step where d has a minimum
@@ -4824,66 +4860,75 @@ NAGATA3_API n3_real n3i_step(const n3i_form *f, const n3_real w[3], n3_real next
 }
 
 /* From w to a minimum of d on the triangle. A step that does not go down is halved; one shorter
-   than the root of eps is the last, as the next would be rounding. Returns d there. */
-NAGATA3_API n3_real n3i_descend(const n3i_cell *c, n3_real w[3])
+   than the root of eps is the last, as it changes d by rounding. Returns the form before it. */
+NAGATA3_API n3i_form n3i_descend(const n3i_cell *c, n3_real w[3])
 {
     n3i_form f = n3i_form_at(c, w);
-    n3_real next[3], size = 0;
-    int i, k, halve = 0;
-    for (i = 0; i < N3I_CUTS; i++) {
-        n3i_form g;
-        if (!halve) size = n3i_step(&f, w, next);
-        if (!(size > 0)) break;
-        g = n3i_form_at(c, next);
-        halve = g.d > f.d && size > N3_LAST_STEP;
-        size /= 2;
-        for (k = 0; k < 3; k++) {
-            if (halve) next[k] = n3i_middle(w[k], next[k]);
-            else w[k] = next[k];
+    n3_real next[3], size = n3i_step(&f, w, next);
+    int i, k;
+    for (i = 0; i < N3I_CUTS && size > N3_LAST_STEP; i++) {
+        n3i_form g = n3i_form_at(c, next);
+        if (g.d > f.d) {
+            for (k = 0; k < 3; k++) next[k] = n3i_middle(w[k], next[k]);
+            size /= 2;
+            continue;
         }
-        if (halve) continue;
+        for (k = 0; k < 3; k++) w[k] = next[k];
         f = g;
-        if (2 * size <= N3_LAST_STEP) break;
+        size = n3i_step(&f, w, next);
     }
-    return f.d;
+    for (k = 0; k < 3 && size > 0; k++) w[k] = next[k];
+    return f;
 }
 
-/* The least squared distance so far: the weights on the patch, and the point. */
-typedef struct n3i_near2 { n3_real w[3], d; n3_vec x; } n3i_near2;
+/* The least squared distance so far: the weights on the patch, the point, and <x, du x dv>. */
+typedef struct n3i_near2 { n3_real w[3], d, turn; n3_vec x; } n3i_near2;
 
-/* The Bernstein coefficients of |x|^2, of degree 6, at [i][j], the exponents of u and v: of each
-   pair of control points the product, times the ratio of the trinomials. */
-NAGATA3_API void n3i_square2(const n3i_cell *c, n3_real out[7][7])
+/* The Bernstein coefficients of |x|^2, of degree 6, at [7 i + j], i and j the exponents of u and v:
+   the products of the control points, in rows of constant j, times the ratio of the trinomials,
+   twice for each pair. Their least and largest, too. */
+NAGATA3_API void n3i_square2(const n3i_cell *c, n3_real out[49], n3_real range[2])
 {
-    static const int row[10] = {0, 3, 4, 1, 8, 9, 5, 7, 6, 2}, times[10] = {1, 3, 3, 1, 3, 6, 3, 3, 3, 1};
-    static const int u[10] = {0, 1, 2, 3, 0, 1, 2, 0, 1, 0}, v[10] = {0, 0, 0, 0, 1, 1, 1, 2, 2, 3};
-    static const int factorial[7] = {1, 1, 2, 6, 24, 120, 720};
+    static const int row[10] = {0, 3, 4, 1, 8, 9, 5, 7, 6, 2};
+    static const int times[10] = {1, 3, 3, 1, 3, 6, 3, 3, 3, 1};
+    static const int at[10] = {0, 7, 14, 21, 1, 8, 15, 2, 9, 3};
+    const n3_real r6 = (n3_real)1 / 6, r15 = (n3_real)1 / 15, r20 = (n3_real)1 / 20;
+    const n3_real r30 = r15 / 2, r60 = r30 / 2, r90 = r30 / 3;
+    const n3_real share[28] = {1,   r6,  r15, r20, r15, r6,  1,   r6,  r30, r60, r60, r30, r6, r15,
+                               r60, r90, r60, r15, r20, r60, r60, r20, r15, r30, r15, r6,  r6, 1};
     n3_vec p[10];
-    int a, b;
+    int a, b, k = 0;
     memset(out, 0, 49 * sizeof(n3_real));
     for (a = 0; a < 10; a++) {
-        p[a] = n3_mul((n3_real)times[a], n3i_cell_at(c, row[a]));
-        out[2 * u[a]][2 * v[a]] += n3_dot(p[a], p[a]);
-        for (b = 0; b < a; b++) out[u[a] + u[b]][v[a] + v[b]] += 2 * n3_dot(p[a], p[b]);
+        n3_vec x = n3i_cell_at(c, row[a]);
+        p[a] = n3_mul((n3_real)times[a], x);
+        x = n3_add(p[a], p[a]);
+        out[2 * at[a]] += n3_dot(p[a], p[a]);
+        for (b = 0; b < a; b++) out[at[a] + at[b]] += n3_dot(x, p[b]);
     }
+    range[0] = range[1] = out[0];
     for (a = 0; a < 7; a++)
-        for (b = 0; a + b < 7; b++)
-            out[a][b] *= (n3_real)(factorial[a] * factorial[b] * factorial[6 - a - b]) / 720;
+        for (b = 0; a + b < 7; b++) {
+            n3_real q = out[7 * a + b] * share[k++];
+            out[7 * a + b] = q;
+            range[0] = q < range[0] ? q : range[0];
+            range[1] = n3i_larger(range[1], q);
+        }
 }
 
 /* Second differences are a thirtieth of the Bernstein coefficients of the second derivatives, and a
    matrix with those of the same exponents is one coefficient of the Hessian. Returns m >= 0 such
    that no eigenvalue of any of them is below -m; so -30 m is a bound for the Hessian's, and 0 says
    that the polynomial is convex. */
-NAGATA3_API n3_real n3i_concavity(n3_real q[7][7])
+NAGATA3_API n3_real n3i_concavity(const n3_real coefficient[49])
 {
     n3_real most = 0;
     int i, j;
     for (i = 0; i < 5; i++)
         for (j = 0; i + j < 5; j++) {
-            n3_real uu = q[i + 2][j] - q[i + 1][j] - (q[i + 1][j] - q[i][j]);
-            n3_real vv = q[i][j + 2] - q[i][j + 1] - (q[i][j + 1] - q[i][j]);
-            n3_real uv = q[i + 1][j + 1] - q[i + 1][j] - (q[i][j + 1] - q[i][j]);
+            const n3_real *q = coefficient + 7 * i + j;
+            n3_real uu = q[14] - q[7] - (q[7] - q[0]), vv = q[2] - q[1] - (q[1] - q[0]);
+            n3_real uv = q[8] - q[7] - (q[1] - q[0]);
             n3_real half = n3i_middle(uu, -vv);
             if (uu > 0 && uu * vv > uv * uv) continue;
             most = n3i_larger(most, n3i_sqrt(half * half + uv * uv) - n3i_middle(uu, vv));
@@ -4894,16 +4939,15 @@ NAGATA3_API n3_real n3i_concavity(n3_real q[7][7])
 /* Descends in a cell, from weights on it; returns the d of the minimum. */
 NAGATA3_API n3_real n3i_improve(const n3i_cell *c, n3_real w[3], n3i_near2 *best)
 {
-    n3_real j[3][6], d = n3i_descend(c, w);
+    n3i_form f = n3i_descend(c, w);
     int k;
-    if (!(d < best->d)) return d;
-    best->d = d;
-    for (k = 0; k < 3; k++) {
-        n3i_row_jet(c->x[k], w, j[k]);
+    if (!(f.d < best->d)) return f.d;
+    for (k = 0; k < 3; k++)
         best->w[k] = w[0] * c->weight[0][k] + w[1] * c->weight[1][k] + w[2] * c->weight[2][k];
-    }
-    best->x = n3_v(j[0][0], j[1][0], j[2][0]);
-    return d;
+    best->d = f.d;
+    best->x = f.x;
+    best->turn = n3_dot(f.x, n3_cross(f.du, f.dv));
+    return f.d;
 }
 
 /* No point of the cell is nearer than the best when all its control points lie beyond the plane
@@ -4921,7 +4965,8 @@ NAGATA3_API int n3i_is_beyond(const n3i_cell *c, const n3i_near2 *best)
    that is not far from that. */
 NAGATA3_API void n3i_project(const n3i_cell *c, n3_real w[3])
 {
-    n3_vec x = n3i_cell_at(c, 0), b = n3_sub(n3i_cell_at(c, 1), x), e = n3_sub(n3i_cell_at(c, 2), x);
+    n3_vec x = n3i_cell_at(c, 0);
+    n3_vec b = n3_sub(n3i_cell_at(c, 1), x), e = n3_sub(n3i_cell_at(c, 2), x);
     n3_real bb = n3_dot(b, b), be = n3_dot(b, e), ee = n3_dot(e, e), det = bb * ee - be * be, sum;
     n3_real xb = n3_dot(x, b), xe = n3_dot(x, e);
     w[0] = w[1] = w[2] = (n3_real)1 / 3;
@@ -4935,73 +4980,97 @@ NAGATA3_API void n3i_project(const n3i_cell *c, n3_real w[3])
     w[0] /= sum;
 }
 
-/* Looks at a cell; returns whether it has to be cut. No value of d is below the least coefficient.
-   Nor, with the Hessian's eigenvalues above -30 m and a minimum at y, below d(y) - 30 m: at z on the
-   cell it is at least d(y) + <gradient, z - y> - 15 m |z - y|^2, the second is not negative, and
-   |z - y|^2 <= 2. The first bound takes the shape of the cell, the second what is not convex. */
-NAGATA3_API int n3i_look2(const n3i_cell *c, n3i_near2 *best)
+/* First differences are, but for a factor, the Bernstein coefficients of the derivatives along the
+   sides. Where one has one sign, d falls all the way along parallels to that side, to another side.
+   Returns the corner across that, or -1. */
+NAGATA3_API int n3i_downhill(const n3_real coefficient[49])
 {
-    n3_real q[7][7], w[3], low, high, corner, concave, d = best->d;
-    int i, j;
-    if (n3i_is_beyond(c, best)) return 0;
-    n3i_square2(c, q);
-    low = high = q[0][0];
-    for (i = 0; i < 7; i++)
-        for (j = 0; i + j < 7; j++) {
-            low = q[i][j] < low ? q[i][j] : low;
-            high = n3i_larger(high, q[i][j]);
+    int up[3] = {1, 1, 1}, down[3] = {1, 1, 1}, i, j;
+    for (i = 0; i < 6; i++)
+        for (j = 0; i + j < 6; j++) {
+            const n3_real *q = coefficient + 7 * i + j;
+            up[0] &= q[7] >= q[0];
+            down[0] &= q[7] <= q[0];
+            up[1] &= q[1] >= q[0];
+            down[1] &= q[1] <= q[0];
+            up[2] &= q[7] >= q[1];
+            down[2] &= q[7] <= q[1];
         }
-    high *= N3_BOUND;
-    if (!(low < best->d - high)) return 0;
-    corner = -n3i_larger(-q[0][0], n3i_larger(-q[6][0], -q[0][6]));
-    concave = 30 * n3i_concavity(q);
-    if (concave <= n3i_larger(corner - best->d, 0) + high || corner < best->d) {
-        n3i_project(c, w);
-        if (c->cuts > 0) d = n3i_improve(c, w, best);
-        if (!(d - concave < best->d - high)) return 0;
-    }
-    return c->cuts < N3I_CUTS;
+    if (up[0] || up[2]) return 1;
+    if (down[0] || down[1]) return 0;
+    return up[1] || down[2] ? 2 : -1;
 }
 
-/* The weights of the best foot on the sides on which it is, and the curve's own foot there. */
-NAGATA3_API void n3i_settle(const n3_patch *p, n3_vec q, n3_real w[3])
+/* The minimum of a cell that lies on the side across a corner. */
+NAGATA3_API void n3i_settle_side(const n3i_cell *c, int corner, n3i_near2 *best)
+{
+    static const int side[3][4] = {{1, 5, 6, 2}, {2, 7, 8, 0}, {0, 3, 4, 1}};
+    n3i_near1 found;
+    n3_real w[3];
+    n3_edge e;
+    int i;
+    for (i = 0; i < 4; i++) e.p[i] = n3i_cell_at(c, side[corner][i]);
+    found = n3i_search1(&e);
+    w[corner] = 0;
+    w[(corner + 1) % 3] = 1 - found.t;
+    w[(corner + 2) % 3] = found.t;
+    if (found.d < best->d) n3i_improve(c, w, best);
+}
+
+/* Looks at a cell; returns whether it has to be cut. No value of d is below the least coefficient.
+   Nor, with the Hessian's eigenvalues above -30 m and a minimum on the cell at y, below
+   d(y) - 30 m: at z on the cell it is at least d(y) + <gradient, z - y> - 15 m |z - y|^2, where the
+   product is not negative and |z - y|^2 <= 2. That bound only costs what is not convex: it settles
+   the cells round the foot, which the first could not but by cutting them down to rounding. Cells
+   that go downhill to a side are settled there, also where d is convex along it and concave
+   across. */
+NAGATA3_API int n3i_look2(const n3i_cell *c, n3i_near2 *best)
+{
+    n3_real q[49], w[3], range[2], corner, concave, bound, d = best->d;
+    int side;
+    if (n3i_is_beyond(c, best)) return 0;
+    n3i_square2(c, q, range);
+    bound = N3_BOUND * range[1];
+    if (!(range[0] < best->d - bound)) return 0;
+    corner = -n3i_larger(-q[0], n3i_larger(-q[42], -q[6]));
+    concave = 30 * n3i_concavity(q);
+    if (concave <= n3i_larger(corner - best->d, 0) + bound || corner < best->d) {
+        if (c->cuts > 0) {
+            n3i_project(c, w);
+            d = n3i_improve(c, w, best);
+        }
+        if (!(d - concave < best->d - bound)) return 0;
+    }
+    side = n3i_downhill(q);
+    if (side >= 0) n3i_settle_side(c, side, best);
+    return side < 0 && c->cuts < N3I_CUTS;
+}
+
+/* A best foot on sides of the patch becomes the curve's own foot there. */
+NAGATA3_API void n3i_settle(const n3_patch *p, n3_vec q, const n3i_cell *root, n3i_near2 *best)
 {
     n3_edge e[3];
     n3_real was[3], shortest = 0;
+    n3i_form f;
     int i, k, found = 0;
-    for (i = 0; i < 3; i++) was[i] = w[i];
-    n3_patch_edges(p, e);
+    for (i = 0; i < 3; i++) was[i] = best->w[i];
     for (i = 0; i < 3; i++) {
         n3_real t, length;
         k = (i + 1) % 3;
         if (!(was[i] <= N3_ON_SIDE)) continue;
+        n3_patch_edges(p, e);
         t = n3_edge_nearest(&e[k], q);
         length = n3_len(n3_sub(n3_edge_point(&e[k], t), q));
         if (found && !(length < shortest)) continue;
         found = 1;
         shortest = length;
-        w[i] = 0;
-        w[k] = 1 - t;
-        w[(i + 2) % 3] = t;
+        best->w[i] = 0;
+        best->w[k] = 1 - t;
+        best->w[(i + 2) % 3] = t;
     }
-}
-
-NAGATA3_API n3_foot n3i_foot_at(const n3_patch *p, n3_vec q, const n3i_cell *c, const n3_real w[3])
-{
-    n3_real j[3][6], s;
-    n3_foot foot;
-    n3_vec away;
-    int k;
-    for (k = 0; k < 3; k++) n3i_row_jet(c->x[k], w, j[k]);
-    s = n3_dot(n3_v(j[0][0], j[1][0], j[2][0]), n3_cross(n3_v(j[0][1], j[1][1], j[2][1]),
-                                                        n3_v(j[0][2], j[1][2], j[2][2])));
-    foot.u = w[1];
-    foot.v = w[2];
-    foot.x = n3_patch_point(p, foot.u, foot.v);
-    away = n3_sub(q, foot.x);
-    foot.distance2 = n3_dot(away, away);
-    foot.side = s < 0 ? 1 : s > 0 ? -1 : 0;
-    return foot;
+    if (!found) return;
+    f = n3i_form_at(root, best->w);
+    best->turn = n3_dot(f.x, n3_cross(f.du, f.dv));
 }
 
 NAGATA3_API n3_foot n3_patch_nearest(const n3_patch *p, n3_vec q)
@@ -5011,6 +5080,7 @@ NAGATA3_API n3_foot n3_patch_nearest(const n3_patch *p, n3_vec q)
     n3_vec net[10];
     n3i_cell root;
     n3_real w[3], sum = 0;
+    n3_foot foot;
     int i, looked = 0;
     n3i_relative(p->p, 10, q, net);
     n3i_cell_start(&root);
@@ -5018,18 +5088,30 @@ NAGATA3_API n3_foot n3_patch_nearest(const n3_patch *p, n3_vec q)
         n3i_cell_set(&root, i, net[i]);
         sum += net[i].x + net[i].y + net[i].z;
     }
-    stack.cell[0] = root;
-    stack.count = 1;
-    best.d = 4;
     n3i_project(&root, w);
+    memset(&best, 0, sizeof best);
+    best.d = 4;
     n3i_improve(&root, w, &best);
+    stack.count = 0;
+    if (n3i_look2(&root, &best)) n3i_cell_cut(&stack, &root, 3);
     while (stack.count > 0 && looked++ < 4 * N3I_CELLS) {
         n3i_cell c = stack.cell[--stack.count];
         if (n3i_look2(&c, &best)) n3i_cell_cut(&stack, &c, 3);
     }
-    for (i = 0; i < 3; i++) w[i] = sum - sum <= 0 ? best.w[i] : sum - sum;
-    n3i_settle(p, q, w);
-    return n3i_foot_at(p, q, &root, w);
+    while (stack.count > 0) {
+        const n3i_cell *c = &stack.cell[--stack.count];
+        n3i_project(c, w);
+        n3i_improve(c, w, &best);
+    }
+    if (!(sum - sum <= 0)) best.w[0] = best.w[1] = best.w[2] = best.turn = sum - sum;
+    n3i_settle(p, q, &root, &best);
+    foot.u = best.w[1];
+    foot.v = best.w[2];
+    foot.x = n3_patch_point(p, foot.u, foot.v);
+    net[0] = n3_sub(q, foot.x);
+    foot.distance2 = n3_dot(net[0], net[0]);
+    foot.side = best.turn < 0 ? 1 : best.turn > 0 ? -1 : 0;
+    return foot;
 }
 
 /* ---- Definitions: queries, rays ---- */
@@ -5065,9 +5147,10 @@ NAGATA3_API n3_foot n3_patch_nearest(const n3_patch *p, n3_vec q)
    as its Bernstein coefficients show, its winding number says how many hits there are: none, or one
    that Newton finds. Other cells are cut. When one is as small as rounding its winding number still
    says how many hits it has to answer for. */
-NAGATA3_API int n3i_crossings(const n3_real x[10], const n3_real y[10], const int at[4], int halvings)
+NAGATA3_API int n3i_crossings(const n3_real x[10], const n3_real y[10], const int at[4],
+                              int halvings)
 {
-    n3_real stack[N3I_CUTS + 2][8], p[8];
+    n3_real stack[N3I_CUTS + 2][8];
     int left[N3I_CUTS + 2], count = 1, crossings = 0, i;
     for (i = 0; i < 4; i++) {
         stack[0][i] = x[at[i]];
@@ -5075,29 +5158,23 @@ NAGATA3_API int n3i_crossings(const n3_real x[10], const n3_real y[10], const in
     }
     left[0] = halvings;
     while (count > 0) {
-        int right = 0, up = 0, rise;
-        memcpy(p, stack[--count], sizeof p);
-        for (i = 0; i < 4; i++) {
-            right += p[i] >= 0;
-            up += p[4 + i] >= 0;
-        }
-        rise = (p[7] >= 0) - (p[4] >= 0);
+        n3_real *p = stack[--count], *q = p + 8;
+        int up = (p[4] >= 0) + (p[5] >= 0) + (p[6] >= 0) + (p[7] >= 0);
+        int right = (p[0] >= 0) + (p[1] >= 0) + (p[2] >= 0) + (p[3] >= 0);
         if (right == 0 || up == 0 || up == 4) continue;
         if (right == 4 || left[count] == 0) {
-            crossings += right == 4 || p[0] + p[3] >= 0 ? rise : 0;
+            if (right == 4 || p[0] + p[3] >= 0) crossings += (p[7] >= 0) - (p[4] >= 0);
             continue;
         }
         left[count + 1] = --left[count];
-        for (i = 0; i < 8; i += 4) {
-            n3_real *a = stack[count] + i, *b = stack[count + 1] + i;
-            n3_real middle = n3i_middle(p[i + 1], p[i + 2]);
-            a[0] = p[i];
-            b[3] = p[i + 3];
-            a[1] = n3i_middle(p[i], p[i + 1]);
-            b[2] = n3i_middle(p[i + 2], p[i + 3]);
-            a[2] = n3i_middle(a[1], middle);
-            b[1] = n3i_middle(middle, b[2]);
-            a[3] = b[0] = n3i_middle(a[2], b[1]);
+        for (i = 0; i < 2; i++, p += 4, q += 4) {
+            n3_real middle = n3i_middle(p[1], p[2]);
+            q[3] = p[3];
+            q[2] = n3i_middle(p[2], p[3]);
+            p[1] = n3i_middle(p[0], p[1]);
+            p[2] = n3i_middle(p[1], middle);
+            q[1] = n3i_middle(middle, q[2]);
+            q[0] = p[3] = n3i_middle(p[2], q[1]);
         }
         count += 2;
     }
@@ -5143,79 +5220,93 @@ NAGATA3_API int n3i_main_axis(n3_vec d)
     return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
-/* The Bernstein coefficients of the determinant of f's Jacobian at [i][j], the exponents of u and
-   v, but for a factor above 0 each: sums of the products of the quadratic nets of f_u and f_v, in
-   the order of n3_patch2.p, in which the Bernstein polynomials of the last three carry a 2. In
-   units of size^2. Returns the largest product. */
-NAGATA3_API n3_real n3i_jacobian(const n3i_cell *c, n3_real size, n3_real out[5][5])
+/* The Bernstein coefficients of the determinant of the Jacobian of scale f at [5 i + j], the
+   exponents of u and v, but for a factor above 0 each: as n3i_normal_net, in a plane. Returns the
+   largest product in them. */
+NAGATA3_API n3_real n3i_jacobian(const n3i_cell *c, n3_real scale, n3_real out[25])
 {
     static const int from[6] = {0, 4, 7, 3, 9, 8}, to_u[6] = {3, 1, 6, 4, 5, 9};
-    static const int to_v[6] = {8, 5, 2, 9, 6, 7};
-    static const int i[6] = {0, 2, 0, 1, 1, 0}, j[6] = {0, 0, 2, 0, 1, 1};
-    n3_real u[2][6], v[2][6], largest[2];
+    static const int to_v[6] = {8, 5, 2, 9, 6, 7}, at[6] = {0, 10, 2, 5, 6, 1};
+    n3_real u[2][6], v[2][6], largest_u = 0, largest_v = 0;
     int a, b;
     memset(out, 0, 25 * sizeof(n3_real));
-    largest[0] = largest[1] = 0;
     for (a = 0; a < 6; a++) {
-        n3_real twice = (a > 2 ? 2 : 1) / size;
+        n3_real twice = a > 2 ? 2 * scale : scale;
         for (b = 0; b < 2; b++) {
             u[b][a] = twice * (c->x[b][to_u[a]] - c->x[b][from[a]]);
             v[b][a] = twice * (c->x[b][to_v[a]] - c->x[b][from[a]]);
-            largest[0] = n3i_larger(largest[0], n3i_abs(u[b][a]));
-            largest[1] = n3i_larger(largest[1], n3i_abs(v[b][a]));
+            largest_u = n3i_larger(largest_u, n3i_abs(u[b][a]));
+            largest_v = n3i_larger(largest_v, n3i_abs(v[b][a]));
         }
     }
     for (a = 0; a < 6; a++)
-        for (b = 0; b < 6; b++)
-            out[i[a] + i[b]][j[a] + j[b]] += u[0][a] * v[1][b] - u[1][a] * v[0][b];
-    return largest[0] * largest[1];
+        for (b = 0; b < 6; b++) out[at[a] + at[b]] += u[0][a] * v[1][b] - u[1][a] * v[0][b];
+    return largest_u * largest_v;
 }
 
-/* Whether the determinant has one sign on the cell, or is rounding: then there are no two hits on it
-   that cancel. */
-NAGATA3_API int n3i_is_simple(const n3i_cell *c, n3_real size)
+/* Whether the determinant has one sign on the cell, or is rounding: then no two hits on it cancel. */
+NAGATA3_API int n3i_is_simple(const n3i_cell *c, n3_real scale)
 {
-    n3_real det[5][5], noise = N3_NOISE * n3i_jacobian(c, size, det);
-    int i, j, above = 0, below = 0, rounding = 1;
+    n3_real det[25], high = 0, low = 0, noise = N3_NOISE * n3i_jacobian(c, scale, det);
+    int i, j, zero = 0;
     for (i = 0; i < 5; i++)
         for (j = 0; i + j < 5; j++) {
-            above |= !(det[i][j] < 0);
-            below |= !(det[i][j] > 0);
-            rounding &= n3i_abs(det[i][j]) <= noise;
+            n3_real d = det[5 * i + j];
+            high = n3i_larger(high, d);
+            low = n3i_larger(low, -d);
+            zero += !(n3i_abs(d) > 0);
         }
-    return !(above && below) || rounding;
+    return (zero == 0 && !(high > 0 && low > 0)) || (high <= noise && low <= noise);
 }
 
-/* The zero of f on a cell, by Newton's method held on the cell; whether it was found. */
-NAGATA3_API int n3i_zero(const n3i_cell *c, n3_real size, n3_real w[3])
+/* One step of Newton's towards f = 0 from the weights w, held on the cell: a weight that it makes
+   negative is zero. Returns its size, -1 where it fails; held: whether it was. */
+NAGATA3_API n3_real n3i_zero_step(const n3_real f[6], const n3_real g[6], n3_real w[3], int *held)
+{
+    n3_real det = f[1] * g[2] - f[2] * g[1], next[3], sum = 0, size = 0;
+    int k;
+    if (!(n3i_abs(det) > 0)) return -1;
+    next[1] = (f[2] * g[0] - f[0] * g[2]) / det;
+    next[2] = (f[0] * g[1] - f[1] * g[0]) / det;
+    next[0] = -next[1] - next[2];
+    *held = 0;
+    for (k = 0; k < 3; k++) {
+        next[k] += w[k];
+        if (!(next[k] >= 0)) *held = 1;
+        next[k] = n3i_larger(next[k], 0);
+        sum += next[k];
+    }
+    if (!(sum > 0)) return -1;
+    for (k = 0; k < 3; k++) {
+        size = n3i_larger(size, n3i_abs(next[k] / sum - w[k]));
+        w[k] = next[k] / sum;
+    }
+    return size;
+}
+
+/* The zero of f on a cell; whether it was found. Steps of Newton's follow each other as b = C a^2;
+   when the next would be below eps, b^3 <= eps a^2, they end. Held on a side they do not: there the
+   zero may be just outside, and f tells. */
+NAGATA3_API int n3i_zero(const n3i_cell *c, n3_real scale, n3_real w[3])
 {
     n3_real f[6], g[6], last = 1;
-    int i, k;
+    int i, k, held = 0;
     w[0] = w[1] = w[2] = (n3_real)1 / 3;
     for (i = 0; i < 16; i++) {
-        n3_real det, step[3], sum = 0;
+        n3_real size;
         n3i_row_jet(c->x[0], w, f);
         n3i_row_jet(c->x[1], w, g);
         for (k = 0; k < 3; k++) {
-            f[k] /= size;
-            g[k] /= size;
+            f[k] *= scale;
+            g[k] *= scale;
         }
-        if (!(last > N3_LAST_STEP)) break;
-        det = f[1] * g[2] - f[2] * g[1];
-        if (!(n3i_abs(det) > 0)) return 0;
-        step[1] = (f[2] * g[0] - f[0] * g[2]) / det;
-        step[2] = (f[0] * g[1] - f[1] * g[0]) / det;
-        step[0] = -step[1] - step[2];
-        for (k = 0; k < 3; k++) {
-            step[k] = n3i_larger(w[k] + step[k], 0);
-            sum += step[k];
-        }
-        for (k = 0, last = 0; k < 3; k++) {
-            last = n3i_larger(last, n3i_abs(step[k] / sum - w[k]));
-            w[k] = step[k] / sum;
-        }
+        if (held && n3i_abs(f[0]) + n3i_abs(g[0]) <= N3_ON_SIDE) return 1;
+        size = n3i_zero_step(f, g, w, &held);
+        if (size < 0) return 0;
+        if (!held && size <= N3_LAST_STEP && size * size * size <= N3_EPS * last * last) return 1;
+        last = size;
     }
-    return n3i_abs(f[0]) + n3i_abs(g[0]) <= N3_ON_SIDE;
+    return 0;
 }
 
 /* The hit at the weights w of a cell. On the side bc, w = 0, v is made 1 - u. */
@@ -5263,8 +5354,8 @@ NAGATA3_API int n3i_is_missed(const n3i_cell *c)
     return right == 0 || right == 10 || up == 0 || up == 10;
 }
 
-/* All control points strictly on one side of a line through the origin, across the way to the sum of
-   the corners, or along the longer of two sides: then there is no hit. */
+/* All control points strictly on one side of a line through the origin, across the way to the sum
+   of the corners, or along the longer of two sides: then there is no hit. */
 NAGATA3_API int n3i_is_beside(const n3i_cell *c)
 {
     const n3_real *x = c->x[0], *y = c->x[1];
@@ -5293,8 +5384,9 @@ NAGATA3_API int n3_patch_hits(const n3_patch *p, n3_vec from, n3_vec along, n3_r
     n3_real size;
     if (k < 0) return 0;
     size = n3i_look_along(p, from, along, k, &stack.cell[0]);
+    if (!(size > 0) || n3i_is_missed(&stack.cell[0])) return 0;
     back = (k == 0 ? along.x : k == 1 ? along.y : along.z) < 0;
-    stack.count = !n3i_is_missed(&stack.cell[0]);
+    stack.count = 1;
     while (stack.count > 0) {
         n3i_cell c = stack.cell[--stack.count];
         n3_real w[3];
@@ -5303,13 +5395,13 @@ NAGATA3_API int n3_patch_hits(const n3_patch *p, n3_vec from, n3_vec along, n3_r
         if (n3i_is_missed(&c)) continue;
         winding = n3i_winding(&c);
         if (winding == 0 && (n3i_is_beside(&c) || !may_cut || looked++ > N3I_CELLS)) continue;
-        simple = n3i_is_simple(&c, size);
+        simple = n3i_is_simple(&c, 1 / size);
         if (winding == 0 && simple) continue;
-        if (may_cut && !(simple && winding * winding == 1 && n3i_zero(&c, size, w))) {
+        if (may_cut && !(simple && winding * winding == 1 && n3i_zero(&c, 1 / size, w))) {
             n3i_cell_cut(&stack, &c, 2);
             continue;
         }
-        if (!may_cut) n3i_zero(&c, size, w);
+        if (!may_cut) n3i_zero(&c, 1 / size, w);
         h = n3i_hit_at(p, from, along, k, &c, w);
         h.side = (winding > 0) == back ? 1 : -1;
         if (!(h.t >= t0 && h.t <= t1)) continue;
@@ -5333,7 +5425,7 @@ NAGATA3_API int n3_patch_folds(const n3_patch *p, n3_vec direction, int budget)
 {
     n3i_stack stack;
     int i, j, k = n3i_main_axis(direction), back;
-    n3_real size, det[5][5];
+    n3_real size, det[25];
     if (k < 0) return N3_YES;
     size = n3i_look_along(p, p->p[0], direction, k, &stack.cell[0]);
     if (!(size > 0)) return N3_YES;
@@ -5342,13 +5434,14 @@ NAGATA3_API int n3_patch_folds(const n3_patch *p, n3_vec direction, int budget)
     while (stack.count > 0) {
         n3i_cell c = stack.cell[--stack.count];
         int above = 0;
-        n3i_jacobian(&c, size, det);
+        n3i_jacobian(&c, 1 / size, det);
         for (i = 0; i < 5; i++)
-            for (j = 0; i + j < 5; j++) above += back ? det[i][j] < 0 : det[i][j] > 0;
+            for (j = 0; i + j < 5; j++)
+                above += back ? det[5 * i + j] < 0 : det[5 * i + j] > 0;
         if (above == 15) continue;
         for (i = 0; i < 5; i += 4)
             for (j = 0; i + j < 5; j += 4)
-                if (back ? !(det[i][j] < 0) : !(det[i][j] > 0)) return N3_YES;
+                if (back ? !(det[5 * i + j] < 0) : !(det[5 * i + j] > 0)) return N3_YES;
         if (c.cuts == N3I_CUTS || --budget <= 0) return N3_UNDECIDED;
         n3i_cell_cut(&stack, &c, 2);
     }
@@ -5362,7 +5455,8 @@ NAGATA3_API int n3_patch_folds(const n3_patch *p, n3_vec direction, int budget)
    u and v is one of degree n + 1 in s and n in t. So 6 x 6 nodes are exact up to n = 10. */
 NAGATA3_API n3_real n3i_node(int i)
 {
-    static const n3_real node[3] = {(n3_real)0.23861918608319690863, (n3_real)0.66120938646626451366,
+    static const n3_real node[3] = {(n3_real)0.23861918608319690863,
+                                    (n3_real)0.66120938646626451366,
                                     (n3_real)0.93246951420315202781};
     return (1 + (i < 3 ? -node[2 - i] : node[i - 3])) / 2;
 }

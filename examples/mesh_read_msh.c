@@ -2,8 +2,9 @@
  *
  * Fields of the cells tell their groups, the numbers of their entities and their own, those of the
  * points their numbers: "gmsh:physical", "gmsh:geometrical", "id"; not where all are 0, the number
- * of the group or 1, or 1, 2, 3 and so on. Of several groups of an entity the first counts. Data of nodes and elements become
- * fields, NaN where there are none; but no field if they are of less than an eighth. */
+ * of the group or 1, or 1, 2, 3 and so on. Of several groups of an entity the first counts. Data of
+ * nodes and elements become fields, NaN where there are none; but no field if they are of less than
+ * an eighth. */
 #include "mesh_binary.h"
 #include "mesh_cells.h"
 
@@ -206,7 +207,8 @@ static void add_node(reader *r, double number)
 {
     mesh *m = r->mesh;
     int i = r->node.count;
-    if (!m->point_fields) field_add(&m->point_field, &m->point_fields, "id", 2, 1, NULL)->kind = NUMBERS;
+    if (!m->point_fields)
+        field_add(&m->point_field, &m->point_fields, "id", 2, 1, NULL)->kind = NUMBERS;
     append(&m->point_field[0], i, number);
     map_add(&r->node, number, i);
 }
@@ -287,7 +289,8 @@ static void add_element(reader *r, const element_type *e, double number, int phy
     mesh *m = r->mesh;
     int i;
     for (i = m->cell_fields; i < FIRST_FIELDS; i++)
-        field_add(&m->cell_field, &m->cell_fields, names[i], strlen(names[i]), 1, NULL)->kind = NUMBERS;
+        field_add(&m->cell_field, &m->cell_fields, names[i], strlen(names[i]), 1, NULL)->kind =
+            NUMBERS;
     for (i = 0; i < e->nodes; i++) {
         double node = read_size(r);
         int point = map_find(&r->node, node);

@@ -110,10 +110,7 @@ static void carry_fields(grid *g)
 
 /* ---- Normals ---- */
 
-static int are_one(n3_vec a, n3_vec b)
-{
-    return n3_dot(n3_unit(a), n3_unit(b)) >= 1 - 16 * N3_EPS;
-}
+static int are_one(n3_vec a, n3_vec b) { return n3_dot(n3_unit(a), n3_unit(b)) >= 1 - 16 * N3_EPS; }
 
 /* The mesh's own normal, to the bit, where the patch has the same. */
 static n3_vec own_normal(const surface *s, int corner, n3_vec normal)
@@ -371,7 +368,4 @@ array *grid_element_arrays(const grid *g)
     return list;
 }
 
-array grid_places(const grid *g)
-{
-    return array_of("points", 3, g->nodes, FLOAT64, &g->node->x);
-}
+array grid_places(const grid *g) { return array_of("points", 3, g->nodes, FLOAT64, &g->node->x); }

@@ -39,8 +39,8 @@ static int *make_fans(const grid *g)
 /* Vertex i < nodes is the first of node i; the others come behind, in the order of the facets. */
 typedef struct vertices {
     int count, *node;
-    int *fan;  /* which faces have it; NONE: not known yet */
-    int *next; /* of the same node, 0: there is no other */
+    int *fan;    /* which faces have it; NONE: not known yet */
+    int *next;   /* of the same node, 0: there is no other */
     int *corner; /* three of each facet */
     n3_vec *normal;
 } vertices;

@@ -193,8 +193,21 @@ static void scattered(void)
     }
 }
 
+static void check_centre(const built *b, int triangle, int rule, long row)
+{
+    n3_patch p = built_patch(b, triangle);
+    n3_edge e[3];
+    n3_vec n[3], want;
+    int i;
+    n3_patch_edges(&p, e);
+    for (i = 0; i < 3; i++) n[i] = b->normal[b->m.triangle[3 * triangle + i]];
+    want = rule == N3_RULE_ARC ? n3_patch_centre_arc(&e[0], &e[1], &e[2], n, NULL)
+                               : n3_patch_centre(&e[0], &e[1], &e[2]);
+    CHECK_SAME(p.p[9], want, row);
+}
+
 /* The net in parts is the net; edges of triangles in a soup, with normals of all kinds, are those of
-   n3_edge_make where all triangles name the same. */
+   n3_edge_make where all triangles name the same, and centres those of the plain form. */
 static void net_in_parts(void)
 {
     static const int triangle[9] = {0, 1, 2, 1, 0, 3, 2, 1, 4};
@@ -230,6 +243,40 @@ static void net_in_parts(void)
             want = n3_edge_make(v[0], v[1], &o);
             for (cut = 0; cut < 4; cut++) CHECK_SAME(e.p[cut], want.p[cut], row);
         }
+        for (i = 0; i < 3 && !CONTRACTED && o.rule != N3_RULE_FIT; i++)
+            check_centre(&b, i, o.rule, row);
+        built_free(&b);
+    }
+}
+
+/* Two triangles at an edge name one normal at its first end, and one or two at its second; the same
+   normals under other names give the same net. */
+static void names_of_normals(void)
+{
+    static const int triangle[6] = {0, 1, 2, 1, 0, 3}, apart[6] = {0, 1, 2, 4, 5, 3};
+    long row, rows = sample_count(300);
+    for (row = 0; row < rows; row++) {
+        n3_vec point[4], normal[6];
+        int shared[6] = {0, 1, 2, 1, 0, 3}, i;
+        n3_mesh m = {4, 2, 6, NULL, 0, NULL, 0, NULL, 0, NULL, 0};
+        sample s = sample_make(row), q = sample_make(row + 1);
+        built a, b;
+        for (i = 0; i < 4; i++) point[i] = i < 3 ? s.v[i].x : q.v[0].x;
+        for (i = 0; i < 4; i++) normal[i] = i < 3 ? s.v[i].n : q.v[0].n;
+        if (row % 2) shared[3] = 4;
+        normal[4] = row % 2 ? q.v[1].n : normal[1];
+        normal[5] = normal[0];
+        m.point = &point[0].x;
+        m.triangle = triangle;
+        m.normal = &normal[0].x;
+        m.corner = shared;
+        a = build_mesh(&m, (int)(row % 3), -1);
+        m.corner = apart;
+        b = build_mesh(&m, (int)(row % 3), -1);
+        for (i = 0; i < a.nodes; i++)
+            CHECK_VEC(a.net[i], b.net[i], CONTRACTED * 64 * EPS * reach(a.net, a.nodes), row);
+        for (i = 0; i < a.t.edges; i++) CHECK(a.flags[i] == b.flags[i], row);
+        built_free(&a);
         built_free(&b);
     }
 }
@@ -241,4 +288,5 @@ const test_case tests_batch[] = {{"lattice_points", lattice_points},
                                  {"lattice_triangles", lattice_triangles},
                                  {"scattered", scattered},
                                  {"net_in_parts", net_in_parts},
+                                 {"names_of_normals", names_of_normals},
                                  {NULL, NULL}};

@@ -1,4 +1,4 @@
-#!/bin/sh
+#!/usr/bin/env bash
 # large_test.sh SMOOTH DEMO_MESH: two million triangles go through smooth in less than 2 GiB; what
 # each kind of work takes is told.
 smooth=$1 demo_mesh=$2 passed=0 failed=0

@@ -131,7 +131,8 @@ static void flatness_is_a_bound(void)
             if (k > 2) q.p[k] = n3_add(q.p[k], up);
         }
         CHECK_NEAR(n3_patch_flatness(&q), 13 * 8.0 / 9, 64 * EPS * 13, i);
-        CHECK_VEC(n3_sub(n3_patch_point(&q, third, third), n3i_mix(third, x[0], third, x[1], third, x[2])),
+        CHECK_VEC(n3_sub(n3_patch_point(&q, third, third),
+                         n3i_mix(third, x[0], third, x[1], third, x[2])),
                   n3_mul((n3_real)8 / 9, up), 64 * EPS * 13, i);
     }
 }
@@ -163,9 +164,9 @@ static void corners_in_another_order(void)
 {
     static const n3_real uv[6][6] = {{0, 0, 1, 0, 0, 1}, {1, 0, 0, 1, 0, 0}, {0, 1, 0, 0, 1, 0},
                                      {1, 0, 0, 0, 0, 1}, {0, 0, 0, 1, 1, 0}, {0, 1, 1, 0, 0, 0}};
-    static const int net[6][10] = {
-        {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, {1, 2, 0, 5, 6, 7, 8, 3, 4, 9}, {2, 0, 1, 7, 8, 3, 4, 5, 6, 9},
-        {1, 0, 2, 4, 3, 8, 7, 6, 5, 9}, {0, 2, 1, 8, 7, 6, 5, 4, 3, 9}, {2, 1, 0, 6, 5, 4, 3, 8, 7, 9}};
+    static const int net[6][10] = {{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}, {1, 2, 0, 5, 6, 7, 8, 3, 4, 9},
+                                   {2, 0, 1, 7, 8, 3, 4, 5, 6, 9}, {1, 0, 2, 4, 3, 8, 7, 6, 5, 9},
+                                   {0, 2, 1, 8, 7, 6, 5, 4, 3, 9}, {2, 1, 0, 6, 5, 4, 3, 8, 7, 9}};
     rng r = {34};
     int i, k;
     for (i = 0; i < 6; i++) {
@@ -227,8 +228,7 @@ static void quarters_share_sides(void)
         check_same_edge(side_of(&s[1], 1, 0), side_of(&t[1], 0, 1), i);
         check_same_edge(side_of(&s[2], 1, 0), side_of(&t[0], 0, 1), i);
         CHECK_VEC(n3_patch_point(&s[3], (n3_real)1 / 4, (n3_real)1 / 2),
-                  n3_patch_point(&p, (n3_real)3 / 8, (n3_real)1 / 4),
-                  40 * EPS * reach(p.p, 10), i);
+                  n3_patch_point(&p, (n3_real)3 / 8, (n3_real)1 / 4), 40 * EPS * reach(p.p, 10), i);
     }
 }
 
@@ -395,8 +395,8 @@ static void curvature_of_the_degenerate(void)
 
 enum { CLOSE, OFF, FAR_OFF, ON_IT, MEDIAL, WAYS };
 
-/* A place to ask from: off the surface by its size or much more, on it, near it, or in the centre of
-   its curvature at a point. */
+/* A place to ask from: off the surface by its size or much more, on it, near it, or in the centre
+   of its curvature at a point. */
 static n3_vec ask_from(const n3_patch *p, int way, rng *r)
 {
     double size = extent(p);
@@ -437,8 +437,8 @@ static double brute_force(const n3_patch *p, n3_vec q)
     return best;
 }
 
-/* Nothing that brute force finds is nearer, but for 32 eps of the square of the largest distance, and
-   for the rounding of the points themselves. */
+/* Nothing that brute force finds is nearer, but for 32 eps of the square of the largest distance,
+   and for the rounding of the points themselves. */
 static void nearest_is_nearest(void)
 {
     rng r = {40};
@@ -452,7 +452,8 @@ static void nearest_is_nearest(void)
         for (k = 0; k < 10; k++) d[k] = n3_sub(p.p[k], q);
         most = reach(d, 10), ulp = 16 * EPS * (reach(p.p, 10) + reach(&q, 1));
         CHECK((double)foot.distance2 <=
-                  brute_force(&p, q) + 32 * EPS * 3 * most * most + ulp * (length + ulp), i);
+                  brute_force(&p, q) + 32 * EPS * 3 * most * most + ulp * (length + ulp),
+              i);
         CHECK_SAME(foot.x, n3_patch_point(&p, foot.u, foot.v), i);
         CHECK(foot.u >= 0 && foot.v >= 0 && foot.u + foot.v <= 1 + 4 * N3_EPS, i);
         CHECK_NEAR(foot.distance2, n3_dot(n3_sub(foot.x, q), n3_sub(foot.x, q)), 0, i);
@@ -490,8 +491,8 @@ static void points_find_themselves(void)
     }
 }
 
-/* Two patches of an edge, from points that are nearer to it than to the rest of either, also when they
-   are over an end: feet in the same place are the same bits. */
+/* Two patches of an edge, from points that are nearer to it than to the rest of either, also when
+   they are over an end: feet in the same place are the same bits. */
 static void feet_on_shared_edges(void)
 {
     rng r = {42};
@@ -574,6 +575,33 @@ static void nearest_scaled_or_broken(void)
 
 /* ---- Folds ---- */
 
+/* Seen along z, z < 0 too, the determinant of the Jacobian is 9 sum det[5 i + j] u^i v^j w^k over
+   i + j + k = 4, in units of the largest coordinate; its terms are below 16, and there are 36. */
+static void net_of_the_determinant(void)
+{
+    rng r = {49};
+    long q, count = sample_count(1000);
+    for (q = 0; q < count; q++) {
+        n3_patch p = random_net(&r);
+        n3i_cell c;
+        n3_real det[25], u, v, z = q % 2 ? 1 : -3, sum = 0, size, largest;
+        n3_jet jet;
+        int i, j, k;
+        size = n3i_look_along(&p, p.p[9], n3_v(0, 0, z), 2, &c);
+        largest = n3i_jacobian(&c, 1 / size, det);
+        inner_weights(&r, &u, &v);
+        jet = n3_patch_jet(&p, u, v);
+        for (i = 0; i < 5; i++)
+            for (j = 0; i + j < 5; j++) {
+                n3_real weight = 9 * size * size;
+                for (k = 0; k < 4; k++) weight *= k < i ? u : k < i + j ? v : 1 - u - v;
+                sum += weight * det[5 * i + j];
+                CHECK(fabs((double)det[5 * i + j]) <= 16 * (double)largest, q);
+            }
+        CHECK_NEAR(sum, n3_cross(jet.du, jet.dv).z, 9 * 36 * 16 * EPS, q);
+    }
+}
+
 /* A definite answer agrees with a lattice of normals; more parts decide what fewer do not. */
 static void folds_along_directions(void)
 {
@@ -621,8 +649,8 @@ static void volumes_add_up(void)
     }
 }
 
-/* The sphere: 20 patches of the arc rule lie within 1e-3 of it. The cube's are flat, and exact. Both
-   have their centroid where the mean of their points is. */
+/* The sphere: 20 patches of the arc rule lie within 1e-3 of it. The cube's are flat, and exact.
+   Both have their centroid where the mean of their points is. */
 static void volumes_of_bodies(void)
 {
     static const double want[2] = {4 * PI / 3, 1}, area[2] = {4 * PI, 6}, tol[2] = {0.013, 0};
@@ -705,11 +733,12 @@ static void areas_to_a_tolerance(void)
    closed form: (t^2, t^3) from 0 to 1 is (13 sqrt(13) - 8) / 27 long. */
 static void lengths_in_closed_form(void)
 {
-    static const struct { double p[4][2], want; } curve[] = {
-        {{{0, 0}, {2.0 / 3, 0}, {4.0 / 3, 4.0 / 3}, {2, 4}}, 4.646783762432936},
-        {{{0, 0}, {0, 0}, {1.0 / 3, 0}, {1, 1}}, 1.43970987337155},
-        {{{0, 0}, {1, 0}, {2, 0}, {3, 0}}, 3},
-        {{{0, 0}, {0, 0}, {0, 0}, {0, 0}}, 0}};
+    static const struct {
+        double p[4][2], want;
+    } curve[] = {{{{0, 0}, {2.0 / 3, 0}, {4.0 / 3, 4.0 / 3}, {2, 4}}, 4.646783762432936},
+                 {{{0, 0}, {0, 0}, {1.0 / 3, 0}, {1, 1}}, 1.43970987337155},
+                 {{{0, 0}, {1, 0}, {2, 0}, {3, 0}}, 3},
+                 {{{0, 0}, {0, 0}, {0, 0}, {0, 0}}, 0}};
     size_t i;
     for (i = 0; i < sizeof curve / sizeof *curve; i++) {
         n3_edge e;
@@ -738,6 +767,7 @@ const test_case tests_query[] = {{"boxes_hold_and_fit", boxes_hold_and_fit},
                                  {"feet_on_shared_edges", feet_on_shared_edges},
                                  {"nearest_on_an_edge", nearest_on_an_edge},
                                  {"nearest_scaled_or_broken", nearest_scaled_or_broken},
+                                 {"net_of_the_determinant", net_of_the_determinant},
                                  {"folds_along_directions", folds_along_directions},
                                  {"volumes_add_up", volumes_add_up},
                                  {"volumes_of_bodies", volumes_of_bodies},

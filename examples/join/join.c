@@ -140,6 +140,21 @@ static void check_options(options *o)
         if (o->join.strength[i] >= 1) misuse("--method fujita takes a --strength below 1");
 }
 
+/* An option without a value, or a file. */
+static void read_word_alone(options *o, const char *a)
+{
+    if (!strcmp(a, "--normals"))
+        o->normals = 1;
+    else if (!strcmp(a, "--quiet"))
+        o->quiet = 1;
+    else if (a[0] == '-')
+        misuse("there is no option '%s'", a);
+    else if (o->sides == 2)
+        misuse("two files at a time, not '%s' as well", a);
+    else
+        o->side[o->sides++].path = a;
+}
+
 static void read_options(int argc, char **argv, options *o)
 {
     int i;
@@ -150,24 +165,15 @@ static void read_options(int argc, char **argv, options *o)
     o->within.tolerance = (n3_real)0.001;
     o->within.relative = 1;
     for (i = 1; i < argc; i++) {
-        const char *a = argv[i];
-        if (!strcmp(a, "-h") || !strcmp(a, "--help")) {
+        if (!strcmp(argv[i], "-h") || !strcmp(argv[i], "--help")) {
             fputs(usage, stdout);
             print_and_exit(help);
         }
-        if (!strcmp(a, "--version")) print_and_exit("join " NAGATA3_VERSION "\n");
-        if (!strcmp(a, "--normals"))
-            o->normals = 1;
-        else if (!strcmp(a, "--quiet"))
-            o->quiet = 1;
-        else if (read_value(o, a, argv[i + 1]))
+        if (!strcmp(argv[i], "--version")) print_and_exit("join " NAGATA3_VERSION "\n");
+        if (read_value(o, argv[i], argv[i + 1]))
             i++;
-        else if (a[0] == '-')
-            misuse("there is no option '%s'", a);
-        else if (o->sides == 2)
-            misuse("two files at a time, not '%s' as well", a);
         else
-            o->side[o->sides++].path = a;
+            read_word_alone(o, argv[i]);
     }
     check_options(o);
 }
@@ -196,12 +202,12 @@ static void read_mesh(const options *o, side *s)
                 m->joined + m->welded, m->unused);
 }
 
-static void find_borders(side *s)
+static void find_topology(side *s)
 {
     const mesh *m = &s->mesh;
     n3_mesh *v = &s->view;
-    size_t size, count;
     n3_status status;
+    size_t size;
     int item = -1;
     v->points = m->points;
     v->triangles = m->triangles;
@@ -217,9 +223,16 @@ static void find_borders(side *s)
     status = n3_mesh_topology(v, s->work, size, &s->topology, &item);
     if (status == N3_BAD_POINT) fail(s->path, 0, "the point %d is not finite", s->number[item]);
     if (status != N3_OK) fail(s->path, 0, "%s", n3_status_text(status));
+}
+
+static void find_borders(side *s)
+{
+    const n3_mesh *v = &s->view;
+    size_t count;
+    find_topology(s);
     count = (size_t)join_border_sides(v, &s->topology);
     if (!count) fail(s->path, 0, "it is closed: there is no border to join at");
-    s->sides = allocate(count + 3 * (size_t)m->triangles, sizeof *s->sides);
+    s->sides = allocate(count + 3 * (size_t)v->triangles, sizeof *s->sides);
     s->loops = allocate(count, sizeof *s->loops);
     s->vertex = allocate(count, sizeof *s->vertex);
     s->border = join_border_make(v, &s->topology, s->sides + count, s->sides, s->loops);
@@ -351,15 +364,18 @@ static void make_bridge(const options *o, join_bridge *bridge, mesh *m)
 
 static void report(const options *o, const join_bridge *bridge, const surface *s)
 {
-    double degrees[2];
+    double degrees[3];
     int i;
-    for (i = 0; i < 2; i++) {
+    for (i = 0; i < 3; i++) {
         n3_real jump[2];
         join_seam(bridge, &s->mesh, &s->topology, i, jump);
         degrees[i] = 2 * asin(fmin((double)jump[1] / 2, 1)) * 180 / 3.14159265358979323846;
     }
     fprintf(stderr, "%s: loops of %d and %d points, %d rows between them\n", program,
             bridge->a.count, bridge->b.count, bridge->rows);
+    if (degrees[2] > 90)
+        fprintf(stderr, "%s: the bridge folds: it may cut through itself; try another --strength\n",
+                program);
     fprintf(stderr, "%s: the seams bend by at most %.3g degrees at %s, %.3g at %s\n", program,
             degrees[0], o->side[0].path, degrees[1], o->side[1].path);
     if (bridge->b.step > 0)

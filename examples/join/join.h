@@ -30,7 +30,7 @@
  * It breaks down where its author says, and a test shows each place: tangents that meet behind a
  * point; equal parallel ones; loops that bend abruptly; parallel ones beside others.
  *
- * JOIN_STRAIGHT: straight curves, for comparison.
+ * JOIN_STRAIGHT: straight lines, for comparison.
  *
  * THE CALLS, in order; all memory is the caller's
  *
@@ -149,8 +149,8 @@ NAGATA3_API join_status join_rim_make(const join_border *b, int loop, int from_n
    twisting [2]. start: a point of each mesh, or NULL. along: -1, B runs against its triangles, as
    it must for both meshes to keep their outsides; 1, with them, and B is turned inside out; 0,
    whatever is found, where turning has to be better by a factor of 2.
-   Loops in the same places are refused. 64 comparisons for each point of the larger loop and each
-   direction. */
+   Loops in the same places are refused. 64 comparisons for each of up to 256 starts of the larger
+   loop, and some beside the best, in both directions. */
 NAGATA3_API join_status join_rims_match(join_rim *a, join_rim *b, const int start[2], int along,
                                         int *item);
 
@@ -189,11 +189,11 @@ NAGATA3_API join_status join_counts(const join_bridge *bridge, int *points, int 
 NAGATA3_API join_status join_mesh(const join_bridge *bridge, const n3_vec *moved, n3_vec *point,
                                   int *triangle);
 
-/* How the joined mesh bends across its seam with A, end 0, or with B: the least and the largest
-   |n - n'|, 2 sin of half the angle, of two triangles' unit normals. Returns the number of edges
-   of the seam. */
+/* How the joined mesh bends across its seam with A, where 0, or with B, 1, or within the bridge, 2:
+   the least and the largest |n - n'|, 2 sin of half the angle, of two triangles' unit normals.
+   Beyond sqrt 2 the bridge folds. Returns the number of edges there. */
 NAGATA3_API int join_seam(const join_bridge *bridge, const n3_mesh *joined,
-                          const n3_topology *topology, int end, n3_real jump[2]);
+                          const n3_topology *topology, int where, n3_real jump[2]);
 
 /* ---- Definitions: status ---- */
 
@@ -339,11 +339,11 @@ NAGATA3_API n3_vec joini_way_out(const join_border *b, int side)
     return n3_unit(n3_cross(n3_unit(n3_sub(x1, x0)), n));
 }
 
-/* The part of the way from one direction to another up to where it comes within 14.5 degrees of
+/* The part of the way from one direction to another up to where it comes within 30 degrees of
    the border: a and b are the cosines of both with the way out across it. */
 NAGATA3_API n3_real joini_reach(n3_real a, n3_real b)
 {
-    const n3_real low = (n3_real)1 / 4;
+    const n3_real low = (n3_real)1 / 2;
     if (b >= low) return 1;
     return a > low ? (a - low) / (a - b) : 0;
 }
@@ -352,8 +352,9 @@ NAGATA3_API n3_real joini_reach(n3_real a, n3_real b)
    The mean of these, laid into the mean plane, turns into the planes' intersection by the share
    that a crease has in the edges of nagata3.h, all of it from 5.7 degrees between the planes on,
    none below 1.1 or where it runs along the border; and no farther than it still leaves both
-   triangles. The seam then keeps some of the angle between the planes, however many rows there
-   are: at most 0.9 degrees, but half of the angle where the planes meet along the border. */
+   triangles. What a seam's triangle on this curve keeps of the angle between the planes, however
+   many rows there are, is at most 0.9 degrees, but half of it where the planes meet along the
+   border; there it takes the diagonal to the next curve. */
 NAGATA3_API n3_vec joini_tangent(const n3_vec plane[2], const n3_vec out[2])
 {
     n3_vec mean = n3_unit(n3_add(out[0], out[1]));
@@ -466,19 +467,22 @@ NAGATA3_API join_vertex joini_between(const join_rim *r, int k, n3_real s)
     return v;
 }
 
-/* a mirrored across v, which turns it back where the mirror maps what v was made of. */
+/* a mirrored across the plane with the normal v. */
 NAGATA3_API n3_vec joini_mirror(n3_vec a, n3_vec v)
 {
     v = n3_unit(v);
     return n3_sub(a, n3_mul(2 * n3_dot(a, v), v));
 }
 
-/* How far A's normal, carried along the curve to B by two mirrors, is off B's, squared, 0 to 4. */
+/* How far A's normal, carried along the curve to B by two mirrors, is off B's, squared, 0 to 4. The
+   first mirror maps the ends onto each other, the second the tangent that then is there onto that
+   of B's end, reversed; where these are one already, its normal is what of the chord is across. */
 NAGATA3_API n3_real joini_twist(const join_vertex *a, const join_vertex *b, n3_real side)
 {
-    n3_vec d = n3_sub(b->x, a->x), n = joini_mirror(a->n, d), t = joini_mirror(a->t, d);
-    n = joini_mirror(n, n3_add(b->t, t));
-    n = n3_sub(n, n3_mul(side, b->n));
+    n3_vec d = n3_unit(n3_sub(b->x, a->x)), n = joini_mirror(a->n, d), t = joini_mirror(a->t, d);
+    n3_vec v = n3_add(b->t, t);
+    if (n3_len(v) <= N3_OPPOSITE) v = n3i_off(d, t);
+    n = n3_sub(joini_mirror(n, v), n3_mul(side, b->n));
     return n3_dot(n, n);
 }
 
@@ -511,21 +515,37 @@ NAGATA3_API n3_real joini_cost(const join_rim *a, const join_rim *b, n3_vec way,
     return sum / (n3_real)samples;
 }
 
-/* The best start of the larger rim for one direction of B; returns its cost. */
+/* Tries starts of a rim from one up to another, and keeps the best. */
+NAGATA3_API void joini_try_starts(join_rim *a, join_rim *b, join_rim *free_one, const int range[3],
+                                  n3_vec way, n3_real size, n3_real *least)
+{
+    int i, best = free_one->start, n = free_one->count;
+    for (i = range[0]; i <= range[1]; i += range[2]) {
+        n3_real cost;
+        free_one->start = i < 0 ? i + n : i % n;
+        cost = joini_cost(a, b, way, size);
+        if (!(cost < *least)) continue;
+        *least = cost;
+        best = free_one->start;
+    }
+    free_one->start = best;
+}
+
+/* The best start of the larger rim for one direction of B, of about 256 and then of those beside
+   the best of them; returns its cost. */
 NAGATA3_API n3_real joini_best_start(join_rim *a, join_rim *b, n3_vec way, n3_real size)
 {
     join_rim *free_one = a->count > b->count ? a : b;
-    int i, best = free_one->start;
     n3_real least = joini_cost(a, b, way, size);
-    for (i = 0; i < free_one->count; i++) {
-        n3_real cost;
-        free_one->start = i;
-        cost = joini_cost(a, b, way, size);
-        if (!(cost < least)) continue;
-        least = cost;
-        best = i;
-    }
-    free_one->start = best;
+    int range[3], step = 1 + free_one->count / 256;
+    range[0] = 0;
+    range[1] = free_one->count - 1;
+    range[2] = step;
+    joini_try_starts(a, b, free_one, range, way, size, &least);
+    range[0] = free_one->start - step + 1;
+    range[1] = free_one->start + step - 1;
+    range[2] = 1;
+    joini_try_starts(a, b, free_one, range, way, size, &least);
     return least;
 }
 
@@ -573,22 +593,20 @@ NAGATA3_API int joini_are_coincident(const join_rim *a, const join_rim *b)
 NAGATA3_API join_status join_rims_match(join_rim *a, join_rim *b, const int start[2], int along,
                                         int *item)
 {
-    join_rim turned_a = *a, turned_b;
+    join_rim turned_a, turned_b;
     if (joini_are_coincident(a, b)) return joini_blame(JOIN_COINCIDENT, -1, item);
     if (start && joini_vertex_of(a, start[0]) < 0) return joini_blame(JOIN_BAD_START, 0, item);
     if (start && joini_vertex_of(b, start[1]) < 0) return joini_blame(JOIN_BAD_START, 1, item);
-    a->even = b->even = turned_a.even = a->count == b->count;
-    a->step = turned_a.step = 1;
+    a->even = b->even = a->count == b->count;
+    a->step = 1;
+    b->step = along > 0 ? 1 : -1;
+    turned_a = *a;
     turned_b = *b;
-    b->step = -1;
     turned_b.step = 1;
-    if (along == 0)
-        along = 2 * joini_match(&turned_a, &turned_b, start) < joini_match(a, b, start) ? 1 : -1;
-    if (along > 0) {
+    if (2 * joini_match(&turned_a, &turned_b, start) < joini_match(a, b, start) && along == 0) {
         *a = turned_a;
         *b = turned_b;
     }
-    joini_match(a, b, start);
     return JOIN_OK;
 }
 
@@ -671,6 +689,7 @@ NAGATA3_API n3_edge joini_fujita_curve(join_vertex a, join_vertex b, n3_vec s,
 {
     n3_vec d = n3_sub(b.x, a.x), q, r;
     n3_real sine = n3_dot(n3_cross(a.t, b.t), s), f0, f1;
+    int short_a, short_b; /* C is at most half as far from one end as from the other */
     if (n3i_abs(sine) <= JOIN_PARALLEL) { /* the middle of the ends, dropped onto both lines */
         f0 = n3_dot(d, a.t) / 2;
         f1 = -n3_dot(d, b.t) / 2;
@@ -679,10 +698,12 @@ NAGATA3_API n3_edge joini_fujita_curve(join_vertex a, join_vertex b, n3_vec s,
     }
     f0 = n3_dot(n3_cross(d, b.t), s) / sine;
     f1 = n3_dot(n3_cross(d, a.t), s) / sine;
-    q = n3_mul(part[0] * f0, a.t);
+    q = n3_mul(part[0] * f0, a.t);                                                  /* (F2.4.3) */
     r = n3_mul(part[1] * f1, b.t);
-    if (n3i_abs(f0) <= n3i_abs(f1) / 2) q = n3_mul((f0 < 0 ? -1 : 1) * n3i_abs(f1) / 2, a.t);
-    else if (n3i_abs(f1) <= n3i_abs(f0) / 2) r = n3_mul((f1 < 0 ? -1 : 1) * n3i_abs(f0) / 2, b.t);
+    short_a = n3i_abs(f0) <= n3i_abs(f1) / 2;
+    short_b = n3i_abs(f1) <= n3i_abs(f0) / 2;
+    if (short_a) q = n3_mul((f0 < 0 ? -1 : 1) * n3i_abs(f1) / 2, a.t);                /* (F2.5) */
+    else if (short_b) r = n3_mul((f1 < 0 ? -1 : 1) * n3i_abs(f0) / 2, b.t);
     return n3i_edge_of(a.x, n3_add(a.x, q), n3_add(b.x, r), b.x);
 }
 
@@ -692,38 +713,49 @@ NAGATA3_API n3_vec joini_work_plane(const join_rim *a, int k, n3_vec o1, n3_vec 
     return n3i_upright(axis, n3_unit(n3_sub(joini_at(a, k)->x, o1)));
 }
 
-/* Moves B's points into the planes before any line is sought, as its triangles change with them.
-   Centres nearer to each other than half the digits of the loops' size are one. */
+/* Puts the points of B's loop into the work planes. (F2.4.2) */
+NAGATA3_API join_status joini_move(const join_rim *a, const join_rim *b, n3_vec o1, n3_vec axis,
+                                   n3_vec *moved, int *item)
+{
+    const n3_mesh *m = b->border->mesh;
+    int k;
+    for (k = 0; k < m->points; k++) moved[k] = n3i_point(m, k);
+    for (k = 0; k < a->count; k++) {
+        n3_vec s = joini_work_plane(a, k, o1, axis), *x = &moved[joini_at(b, k)->point];
+        if (n3i_is_zero(s)) return joini_blame(JOIN_NO_PLANE, joini_at(a, k)->point, item);
+        *x = n3_sub(*x, n3_mul(n3_dot(n3_sub(*x, o1), s), s));
+    }
+    return JOIN_OK;
+}
+
+/* All points of B's loop move before any line is sought, as its triangles change with them. Centres
+   nearer to each other than half the digits of the loops' size are one. */
 NAGATA3_API join_status joini_fujita_columns(const join_rim *a, const join_rim *b,
                                              const n3_real part[2], join_column *column,
                                              n3_vec *moved, int *item)
 {
+    const n3_mesh *mesh_a = a->border->mesh;
     n3_mesh mesh_b = *b->border->mesh;
     n3_real size = 0;
     n3_vec o1 = joini_centre(a, &size), axis = n3_sub(joini_centre(b, &size), o1);
+    join_status status;
     int k;
     axis = n3_len(axis) <= N3_OPPOSITE * size ? n3_v(0, 0, 0) : n3_unit(axis);
-    for (k = 0; k < mesh_b.points; k++) moved[k] = n3i_point(&mesh_b, k);
+    status = joini_move(a, b, o1, axis, moved, item);
     mesh_b.point = &moved->x;
     mesh_b.point_stride = 0;
-    for (k = 0; k < a->count; k++) {
-        n3_vec s = joini_work_plane(a, k, o1, axis), *x = &moved[joini_at(b, k)->point];
-        if (n3i_is_zero(s)) return joini_blame(JOIN_NO_PLANE, joini_at(a, k)->point, item);
-        *x = n3_sub(*x, n3_mul(n3_dot(n3_sub(*x, o1), s), s));                      /* (F2.4.2) */
-    }
-    for (k = 0; k < a->count; k++) {
+    for (k = 0; k < a->count && status == JOIN_OK; k++) {
         join_vertex v = *joini_at(a, k), w = *joini_at(b, k);
         n3_vec s = joini_work_plane(a, k, o1, axis);
-        v.t = joini_fan_line(a->border->mesh, a->border->topology, &v, s);
+        v.t = joini_fan_line(mesh_a, a->border->topology, &v, s);
         w.t = joini_fan_line(&mesh_b, b->border->topology, &w, s);
         w.x = moved[w.point];
         if (n3i_is_zero(v.t)) return joini_blame(JOIN_NO_LINE, v.point, item);
-        if (n3i_is_zero(w.t))
-            return joini_blame(JOIN_NO_LINE, a->border->mesh->points + w.point, item);
+        if (n3i_is_zero(w.t)) return joini_blame(JOIN_NO_LINE, mesh_a->points + w.point, item);
         column[k].s = joini_s(a, k);
         column[k].curve = joini_fujita_curve(v, w, s, part);
     }
-    return JOIN_OK;
+    return status;
 }
 
 /* ---- Definitions: the bridge ---- */
@@ -888,7 +920,7 @@ NAGATA3_API int joini_cut(const join_bridge *b, int r, int i, int k, const n3_ve
     n3_vec x[4];
     n3_real gain, one, other;
     int c;
-    if (b->fixed) return 1;
+    if (b->fixed) return 1;                                                         /* (F2.4.4) */
     for (c = 0; c < 4; c++) x[c] = point[cell[c]];
     gain = joini_gain(b, r, i, k, x);
     if (n3i_abs(gain) > (n3_real)1 / 64) return gain > 0;
@@ -970,7 +1002,7 @@ NAGATA3_API int joini_origin(const join_bridge *b, int triangle)
 }
 
 NAGATA3_API int join_seam(const join_bridge *b, const n3_mesh *joined, const n3_topology *t,
-                          int end, n3_real jump[2])
+                          int where, n3_real jump[2])
 {
     int e, k, two[2], count = 0;
     jump[0] = jump[1] = 0;
@@ -978,7 +1010,7 @@ NAGATA3_API int join_seam(const join_bridge *b, const n3_mesh *joined, const n3_
         n3_real d;
         if (!n3i_is_regular(joined, t, e, two)) continue;
         k = joini_origin(b, two[0] / 3) == 2;
-        if (joini_origin(b, two[k] / 3) != end || joini_origin(b, two[!k] / 3) != 2) continue;
+        if (joini_origin(b, two[k] / 3) != where || joini_origin(b, two[!k] / 3) != 2) continue;
         d = n3_len(n3_sub(n3i_face_of(joined, two[0] / 3).normal,
                           n3i_face_of(joined, two[1] / 3).normal));
         if (count == 0 || d < jump[0]) jump[0] = d;

@@ -21,12 +21,12 @@ check() {
 }
 
 # A file that includes the headers twice and takes the address of every public function.
-headers='nagata3.h examples/brown/brown.h'
+headers='nagata3.h examples/brown/brown.h examples/join/join.h'
 every_function() {
     printf '#include "%s"\n' $headers $headers
     printf 'typedef void (*function)(void);\nextern const function functions[];\n'
     printf 'const function functions[] = {\n'
-    for prefix in n3 brown; do
+    for prefix in n3 brown join; do
         cat $headers |
             sed -n "s/^NAGATA3_API [^(]*[ *]\(${prefix}_[a-z0-9_]*\)(.*/    (function)\1,/p" | sort -u
     done

@@ -120,7 +120,7 @@ same 'direction as found' $? 0
 quiet "$lower" "$upper" -o "$dir/weak.obj" --strength 0.5,2
 cmp -s "$dir/weak.obj" "$dir/out.obj"
 same 'strength' $? 1
-said=$("$join" "$lower" "$upper" -o "$dir/out.obj" --rows 3 2>&1 | sed -n 2p)
+said=$("$join" "$lower" "$upper" -o "$dir/out.obj" --rows 3 2>&1 | grep 'seams')
 same 'what it says of the seams' "$said" \
     "join: the seams bend by at most 3.25 degrees at $lower, 7.58 at $upper"
 same 'quiet' "$(quiet "$lower" "$upper" -o "$dir/out.obj" 2>&1)" ''
@@ -182,10 +182,18 @@ move() { awk -v dx="$2" -v dz="$3" '$1 == "v" { $2 += dx; $4 += dz } { print }' 
 if [ -e $meshes/gc_cat_head.obj ]; then
     cat=$meshes/gc_cat_head.obj
     move $cat 3 0 >"$dir/cat.obj"
-    said=$("$join" $cat "$dir/cat.obj" -o "$dir/out.obj" --rows 63 2>&1 | sed -n 2p)
+    said=$("$join" $cat "$dir/cat.obj" -o "$dir/out.obj" --rows 63 2>&1 | grep 'seams')
     same 'two cats' "$said" \
         "join: the seams bend by at most 2.88 degrees at $cat, 3.43 at $dir/cat.obj"
+    said=$("$join" $cat "$dir/cat.obj" -o "$dir/out.obj" 2>&1 | grep -c 'the bridge folds')
+    same 'two cats, side by side: folds are told' "$said" 1
     same 'two cats: closed' "$(open_sides "$dir/out.obj")" '0 0'
+    awk '$1 == "v" { $3 = -$3 - 3; $4 = -$4 } { print }' $cat >"$dir/cat.obj"
+    said=$("$join" $cat "$dir/cat.obj" -o "$dir/out.obj" --rows 31 2>&1 | grep 'seams')
+    same 'two cats, neck to neck' "$said" \
+        "join: the seams bend by at most 4.36 degrees at $cat, 4.36 at $dir/cat.obj"
+    said=$("$join" $cat "$dir/cat.obj" -o "$dir/out.obj" 2>&1 | grep -c 'the bridge folds')
+    same 'two cats, neck to neck: no folds' "$said" 0
     quiet $meshes/gc_lego.ply "$dir/cat.obj" -o "$dir/out.obj"
     same 'a brick and a cat: closed' "$(open_sides "$dir/out.obj")" '0 0'
     quiet $meshes/osd_loop_saddle_edgecorner.obj $cat -o "$dir/out.obj"
