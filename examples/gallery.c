@@ -19,17 +19,14 @@ void gallery_triangle(n3_vertex v[3])
     v[2].n = n3_v((n3_real)s, 0, (n3_real)c);
 }
 
-static void draw_all(const char *folder, const figure *f, int order)
+output *figure_open(const char *folder, const char *name, int order)
 {
-    for (; f->name; f++) {
-        char *path = allocate(strlen(folder) + strlen(f->name) + 2, 1);
-        output *o;
-        strcat(strcat(strcpy(path, folder), "/"), f->name);
-        o = output_open(path, order);
-        f->draw(o);
-        output_close(o);
-        free(path);
-    }
+    char *path = allocate(strlen(folder) + strlen(name) + 2, 1);
+    output *o;
+    strcat(strcat(strcpy(path, folder), "/"), name);
+    o = output_open(path, order);
+    free(path);
+    return o;
 }
 
 int main(int argc, char **argv)
@@ -39,7 +36,7 @@ int main(int argc, char **argv)
         return 2;
     }
     output_catch_signals();
-    draw_all(argv[1], plane_figures, AS_TEXT);
-    draw_all(argv[1], surface_figures, LITTLE);
+    draw_plane_figures(argv[1]);
+    draw_surface_figures(argv[1]);
     return 0;
 }

@@ -5,15 +5,12 @@
 #include "mesh_output.h"
 #include "nagata3.h"
 
-/* A figure: what it is called in the paper or here, and what draws it into a file. */
-typedef struct figure {
-    const char *name;
-    void (*draw)(output *o);
-} figure;
+/* What lies in a plane, or is lines, as SVG; surfaces, the old patch beside the new one, as PNG. */
+void draw_plane_figures(const char *folder);
+void draw_surface_figures(const char *folder);
 
-/* SVG: what lies in a plane, or is lines. PNG: surfaces, the old patch beside the new one. Each
-   ends with a row of NULL. */
-extern const figure plane_figures[], surface_figures[];
+/* A file in the folder. */
+output *figure_open(const char *folder, const char *name, int order);
 
 /* The triangle of figures 7, 17 and 18: the normals at a and b lean by 20 degrees along their edge
    and are 5 degrees apart, which sends the parabola between them far aside. */

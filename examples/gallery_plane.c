@@ -435,7 +435,19 @@ static void figure18(output *o)
     finish(o);
 }
 
-const figure plane_figures[] = {
-    {"figure07.svg", figure07}, {"figure08.svg", figure08}, {"figure09.svg", figure09},
-    {"figure10.svg", figure10}, {"figure11.svg", figure11}, {"figure12.svg", figure12},
-    {"figure13.svg", figure13}, {"figure18.svg", figure18}, {NULL, NULL}};
+void draw_plane_figures(const char *folder)
+{
+    static const struct {
+        const char *name;
+        void (*draw)(output *o);
+    } figures[] = {{"figure07.svg", figure07}, {"figure08.svg", figure08},
+                   {"figure09.svg", figure09}, {"figure10.svg", figure10},
+                   {"figure11.svg", figure11}, {"figure12.svg", figure12},
+                   {"figure13.svg", figure13}, {"figure18.svg", figure18}};
+    size_t i;
+    for (i = 0; i < sizeof figures / sizeof *figures; i++) {
+        output *o = figure_open(folder, figures[i].name, AS_TEXT);
+        figures[i].draw(o);
+        output_close(o);
+    }
+}

@@ -233,136 +233,96 @@ typedef struct column {
     const char *rule, *title;
 } column;
 
-enum { COLUMNS = 3, TITLE = 28, GAP = 12 }; /* pixels */
+enum { COLUMNS = 3, WIDTH = 330, HEIGHT = 280, TITLE = 28, GAP = 12 }; /* pixels */
 
 /* A row for each view, a column for each rule; all from the same place, with the same ranges. */
 typedef struct plate {
+    const char *name;
     void (*make)(mesh *m);
-    int columns;
-    column column[COLUMNS];
+    column column[COLUMNS]; /* the last one may be absent */
     int rows;
     view view[2];
     camera camera;
-    int width, height; /* of a panel */
 } plate;
 
-static void draw_column(picture *p, const plate *d, int k, const scene *all)
+/* The range of maps is that of the last column. */
+static void draw_column(picture *p, const plate *d, int k, const scene *s, const scene *last)
 {
     const colour ink = colour_oklab(0.3, 0, 0);
-    panel f = {0, 0, 0, 0};
+    panel f = {0, 0, WIDTH, HEIGHT};
     int row;
-    f.x = k * (d->width + GAP);
-    f.width = d->width;
-    f.height = d->height;
+    f.x = k * (WIDTH + GAP);
     for (row = 0; row < d->rows; row++) {
-        view v = d->view[row];
-        f.y = TITLE + row * d->height;
-        scene_draw(p, f, &all[k], d->camera, v, scene_range(&all[d->columns - 1], v));
+        f.y = TITLE + row * HEIGHT;
+        scene_draw(p, f, s, d->camera, d->view[row], scene_range(last, d->view[row]));
     }
-    picture_text(p, f.x + d->width / 2.0, TITLE - 6, 11, 0, ink, d->column[k].title);
+    picture_text(p, f.x + WIDTH / 2.0, TITLE - 6, 11, 0, ink, d->column[k].title);
 }
 
-static void make_scene(const mesh *m, const char *rule, scene *out)
+/* The mesh by each rule, all framed alike. Returns how many. */
+static int make_scenes(const plate *d, scene *all)
 {
-    surface s;
-    surface_make("gallery", m, smooth_rule_find(rule), cos(50 * pi / 180), &s);
-    surface_scene(&s, out);
-    surface_free(&s);
+    mesh m;
+    int columns, k, i;
+    memset(&m, 0, sizeof m);
+    d->make(&m);
+    mesh_join(&m, 0);
+    for (columns = 0; columns < COLUMNS && d->column[columns].rule; columns++) {
+        const smooth_rule *rule = smooth_rule_find(d->column[columns].rule);
+        surface s;
+        surface_make(d->name, &m, rule, cos(50 * pi / 180), &s);
+        surface_scene(&s, &all[columns]);
+        surface_free(&s);
+    }
+    mesh_free(&m);
+    for (k = 0; k < columns; k++) {
+        if (d->view[0] == VIEW_NET) scene_add_net(&all[k]);
+        for (i = 0; i < columns; i++) scene_add_room(&all[k], &all[i]);
+    }
+    return columns;
 }
 
 static void draw_plate(output *o, const plate *d)
 {
-    picture p = picture_make(d->columns * (d->width + GAP) - GAP, TITLE + d->rows * d->height,
-                             colour_srgb(255, 255, 255));
     scene all[COLUMNS];
+    int columns = make_scenes(d, all), k;
+    picture p = picture_make(columns * (WIDTH + GAP) - GAP, TITLE + d->rows * HEIGHT,
+                             colour_srgb(255, 255, 255));
     unsigned char *file;
     size_t size;
-    mesh m;
-    int k, i;
-    memset(&m, 0, sizeof m);
-    d->make(&m);
-    mesh_join(&m, 0);
-    for (k = 0; k < d->columns; k++) make_scene(&m, d->column[k].rule, &all[k]);
-    for (k = 0; k < d->columns; k++) {
-        if (d->view[0] == VIEW_NET) scene_add_net(&all[k]);
-        for (i = 0; i < d->columns; i++) scene_add_room(&all[k], &all[i]);
-    }
-    for (k = 0; k < d->columns; k++) draw_column(&p, d, k, all);
-    for (k = 0; k < d->columns; k++) scene_free(&all[k]);
+    for (k = 0; k < columns; k++) draw_column(&p, d, k, &all[k], &all[columns - 1]);
+    for (k = 0; k < columns; k++) scene_free(&all[k]);
     file = picture_png(&p, &size);
     put_bytes(o, file, size);
     free(file);
     picture_free(&p);
-    mesh_free(&m);
 }
 
-#define OLD "nagata", "Nagata's patch"
-#define NEW "paper", "the cubic patch"
+#define OLD  "nagata", "Nagata's patch"
+#define NEW  "paper", "the cubic patch"
+#define ARC  "arc", "the arc rule"
+#define FIT  "fit", "the fit rule"
+#define FLAT "flat", "the triangles"
 
-static void figure06(output *o)
+static const plate plates[] = {
+    {"figure06.png", make_wave, {{OLD}, {NEW}}, 1, {VIEW_SHADED}, {20, 40, 1, 'z'}},
+    {"figure16.png", make_octant, {{OLD}, {NEW}}, 1, {VIEW_ZEBRA}, {135, 35, 1, 'z'}},
+    {"figure17.png", make_triangle, {{OLD}, {NEW}}, 1, {VIEW_NET}, {14, 34, 1, 'z'}},
+    {"torus.png", make_torus, {{OLD}, {NEW}, {FIT}}, 1, {VIEW_ZEBRA}, {15, 50, 1.35, 'z'}},
+    {"bracket.png",
+     make_bracket,
+     {{OLD}, {NEW}, {ARC}},
+     2,
+     {VIEW_ZEBRA, VIEW_MEAN},
+     {60, 28, 1, 'z'}},
+    {"cat.png", make_cat, {{FLAT}, {OLD}, {NEW}}, 2, {VIEW_SHADED, VIEW_ZEBRA}, {25, 12, 1, 'z'}}};
+
+void draw_surface_figures(const char *folder)
 {
-    static const plate d = {
-        make_wave, 2, {{OLD}, {NEW}, {NULL, NULL}}, 1, {VIEW_SHADED}, {20, 40, 1, 'z'}, 400, 280};
-    draw_plate(o, &d);
+    size_t i;
+    for (i = 0; i < sizeof plates / sizeof *plates; i++) {
+        output *o = figure_open(folder, plates[i].name, LITTLE);
+        draw_plate(o, &plates[i]);
+        output_close(o);
+    }
 }
-
-static void figure16(output *o)
-{
-    static const plate d = {
-        make_octant, 2, {{OLD}, {NEW}, {NULL, NULL}}, 1, {VIEW_ZEBRA}, {135, 35, 1, 'z'}, 360, 280};
-    draw_plate(o, &d);
-}
-
-static void figure17(output *o)
-{
-    static const plate d = {
-        make_triangle, 2, {{OLD}, {NEW}, {NULL, NULL}}, 1, {VIEW_NET}, {14, 34, 1, 'z'}, 360, 280};
-    draw_plate(o, &d);
-}
-
-static void torus(output *o)
-{
-    static const plate d = {make_torus,
-                            3,
-                            {{OLD}, {NEW}, {"fit", "the fit rule"}},
-                            1,
-                            {VIEW_ZEBRA},
-                            {15, 50, 1.35, 'z'},
-                            320,
-                            280};
-    draw_plate(o, &d);
-}
-
-static void bracket(output *o)
-{
-    static const plate d = {make_bracket,
-                            3,
-                            {{OLD}, {NEW}, {"arc", "the arc rule"}},
-                            2,
-                            {VIEW_ZEBRA, VIEW_MEAN},
-                            {60, 28, 1, 'z'},
-                            320,
-                            280};
-    draw_plate(o, &d);
-}
-
-static void cat(output *o)
-{
-    static const plate d = {make_cat,
-                            3,
-                            {{"flat", "the triangles"}, {OLD}, {NEW}},
-                            2,
-                            {VIEW_SHADED, VIEW_ZEBRA},
-                            {25, 12, 1, 'z'},
-                            320,
-                            280};
-    draw_plate(o, &d);
-}
-
-const figure surface_figures[] = {{"figure06.png", figure06},
-                                  {"figure16.png", figure16},
-                                  {"figure17.png", figure17},
-                                  {"torus.png", torus},
-                                  {"bracket.png", bracket},
-                                  {"cat.png", cat},
-                                  {NULL, NULL}};

@@ -420,6 +420,35 @@ static void set_levels(const pose *c, shape *s)
     }
 }
 
+/* The place of the lattice point (i, j) among those of the outline. */
+static int outline_place(int i, int j) { return j * 5 - j * (j - 1) / 2 + i; }
+
+/* The same where the surface is no patch, from the second differences of its points a quarter of a
+   side apart, in each direction. A chord is off by 2 of these over n^2; they are taken twice, as
+   they do not reach the ends. Sides that are shared have the same points, and so the same parts. */
+static void sample_levels(const shot *t, int item, shape *s)
+{
+    static const int way[3][2] = {{1, 0}, {-1, 1}, {0, 1}};
+    n3_vec x[OUTLINE];
+    int i, j, k;
+    for (k = 0; k < OUTLINE; k++) x[k] = to_camera(&t->pose, outline_point(t->scene, item, k));
+    s->level = s->side[0] = s->side[1] = s->side[2] = 1;
+    for (k = 0; k < 3; k++)
+        for (j = 0; j <= 4; j++)
+            for (i = 0; i + j <= 4; i++) {
+                int p = i + 2 * way[k][0], q = j + 2 * way[k][1], n;
+                int on_side = k == 0 ? j == 0 : k == 1 ? i + j == 4 : i == 0;
+                if (p < 0 || p + q > 4) continue;
+                n = parts(&t->pose,
+                          16 / 3.0 *
+                              second_difference(x[outline_place(i, j)],
+                                                x[outline_place((i + p) / 2, (j + q) / 2)],
+                                                x[outline_place(p, q)]));
+                if (on_side && n > s->side[k]) s->side[k] = n;
+                if (n > s->level) s->level = n;
+            }
+}
+
 static void widen(shape *s, double y)
 {
     s->top = fmin(s->top, y);
@@ -446,6 +475,7 @@ static shape shape_make(const shot *t, int i)
         s.end += more;
     }
     set_levels(c, &s);
+    if (t->scene->find) sample_levels(t, i, &s);
     return s;
 }
 

@@ -181,6 +181,10 @@ def check_moves(browser):
     moves("a drag with Shift", lambda: drag(8))
     moves("the wheel", lambda: mouse("mouseWheel", 200, 200, deltaX=0, deltaY=-200))
     moves("two fingers", pinch)
+    browser.run("document.querySelector('#rules input:checked').focus()")
+    key("Enter")
+    browser.settle()
+    browser.run("document.getElementById('view').focus()")
     key("0")
     browser.settle()
     check("0 starts again", browser.canvas() == first)
@@ -196,6 +200,18 @@ def check_texts(browser):
         "document.getElementById('report').textContent"))
     check("a frame took its time", browser.run(
         "parseFloat(document.getElementById('milliseconds').textContent) > 0"))
+
+
+def check_still(browser, page):
+    """Without WebGL the page shows its picture and says why it stands still."""
+    script = browser.call("Page.addScriptToEvaluateOnNewDocument",
+                          source="HTMLCanvasElement.prototype.getContext = () => null")
+    browser.open(page)
+    check("without WebGL there is a picture", drawn(browser.shot()) > 0.05 and browser.run(
+        "document.getElementById('still').naturalWidth == 640"))
+    check("and the reason", browser.run(
+        "document.getElementById('problem').getBoundingClientRect().height > 0"))
+    browser.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script["identifier"])
 
 
 def main():
@@ -217,6 +233,7 @@ def main():
             "document.documentElement.scrollWidth <= innerWidth"))
         if shots:
             (shots / (name + ".png")).write_bytes(browser.shot())
+    check_still(browser, page)
     check("nothing on the console", not browser.said)
     for said in browser.said:
         print("   ", said)

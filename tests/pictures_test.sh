@@ -24,7 +24,11 @@ same() {
     check "$1" [ "$2" = "$3" ]
 }
 
-draw() { "$smooth" "$@" --quiet --size 160x120; }
+draw() {
+    "$smooth" "$@" --quiet --size 160x120 && return
+    failed=$((failed + 1))
+    echo "FAIL pictures: smooth $*" >&2
+}
 sum() { cksum < "$1"; }
 differ() { ! cmp -s "$1" "$2"; }
 
@@ -87,6 +91,18 @@ for mesh in line odd; do
     done
 done
 
+# ---- The page: whole, and no name can end its script. ----
+cp "$dir/demo.obj" "$dir/<b>\"demo.obj"
+for mesh in '<b>"demo' scaled line odd; do
+    draw "$dir/$mesh.obj" -o "$dir/page.html"
+    check "the page of $mesh is whole" [ "$(tail -n 1 "$dir/page.html")" = '</html>' ]
+    same "marks left in the page of $mesh" "$(grep -c '@MODEL@\|@STILL@\|<b>\|: -*nan\|: -*inf' \
+        "$dir/page.html")" 0
+done
+draw "$dir/demo.obj" -o "$dir/page.html" --view net --rule arc --up y
+check 'the page opens as asked for' grep -q '"rule": "arc", "view": "shaded", "show": \["net"\].*"axes": \[2, 0, 1\]' \
+    "$dir/page.html"
+
 # ---- Usage. ----
 misuse() {
     "$smooth" "$dir/demo.obj" "$@" > "$dir/stdout" 2> "$dir/stderr"
@@ -108,6 +124,8 @@ misuse -o "$dir/no.png" --up w
 misuse -o "$dir/no.png" --up ''
 misuse -o "$dir/no.png" -n 4
 misuse -o "$dir/no.png" --text
+misuse -o "$dir/no.html" --order 3
+misuse -o "$dir/no.html" --quads brown
 misuse -o "$dir/no.obj" --view zebra
 check 'no output after bad usage' [ ! -e "$dir/no.png" ]
 "$smooth" "$dir/demo.obj" -o "$dir/absent/out.png" 2> "$dir/stderr"
