@@ -607,8 +607,8 @@ NAGATA3_API n3_edge n3i_edge_straight(n3_vec x0, n3_vec x1)
     return n3i_edge_of(x0, n3_add(x0, third), n3_sub(x1, third), x1);
 }
 
-/* e, L: the chord's direction and length. An end whose normal lies along the chord starts at 90 degrees on the side
-   from which the other end comes down. */
+/* e, L: the chord's direction and length. An end whose normal lies along the chord starts at 90
+   degrees on the side from which the other end comes down. */
 NAGATA3_API n3_edge n3i_edge_paper(n3_vertex v0, n3_vertex v1, n3_vec e, n3_real L,
                                    const n3_options *o)
 {
@@ -2698,15 +2698,17 @@ NAGATA3_API void n3_mesh_edges(const n3_mesh *m, const n3_topology *t, const n3_
     for (; first < last; first += N3I_WIDTH) {
         n3i_mask ok;
         for (i = 0; i < N3I_WIDTH; i++)
-            common[i] = n3i_common_ends(m, t, first + i < last ? first + i : first, point[i], end[i]);
+            common[i] =
+                n3i_common_ends(m, t, first + i < last ? first + i : first, point[i], end[i]);
         ok = n3i_edge_points(end, o, p);
         for (i = 0; i < N3I_WIDTH && first + i < last; i++) {
-            n3_vec *out = net + m->points + 2 * (first + i);
+            int edge = first + i;
+            n3_vec *out = net + m->points + 2 * edge;
             n3i_seam seam;
             n3_edge e;
             int exact = common[i] && n3i_lane(ok, i);
-            if (flags || !exact) n3i_seam_of(m, t, first + i, &seam);
-            if (flags) flags[first + i] = n3i_seam_flags(&seam, o) | n3i_face_flags(m, t, first + i);
+            if (flags || !exact) n3i_seam_of(m, t, edge, &seam);
+            if (flags) flags[edge] = n3i_seam_flags(&seam, o) | n3i_face_flags(m, t, edge);
             if (!exact) e = n3i_seam_edge(&seam, o);
             k = exact ? point[i][0] > point[i][1] : seam.point[0] > seam.point[1];
             out[k] = exact ? p[i][0] : e.p[1];
@@ -3191,8 +3193,8 @@ NAGATA3_API void n3i_plain_at(const n3_patch *p, const n3_real *uv, int what, n3
     memcpy(row, &j, what == N3I_JETS ? sizeof j : sizeof j.x);
 }
 
-NAGATA3_API void n3i_evaluate(const n3_patch *patch, const int *parent, const n3_real *uv, int first,
-                              int last, int what, n3_real *out)
+NAGATA3_API void n3i_evaluate(const n3_patch *patch, const int *parent, const n3_real *uv,
+                              int first, int last, int what, n3_real *out)
 {
     const size_t size = what == N3I_JETS ? 18 : 3;
     const int plain = what == N3I_POINTS && N3I_WIDTH < 4; /* as to gather takes longer */

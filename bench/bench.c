@@ -169,8 +169,8 @@ static void jet_plain(int first, int last) { AT_SCATTERED(n3_jet, n3_patch_jet);
 
 typedef void range(int first, int last);
 
-/* units for a triangle; bytes written for a unit; large: looked at beyond the caches too. reference: ns of the naive form on a Zen 4 core
-   of 3.6 GHz, gcc 12 -O3, double and float; 0 where there is none. */
+/* units for a triangle; bytes written for a unit; large: measured beyond the caches too. reference:
+   ns of the naive form on a Zen 4 core of 3.6 GHz, gcc 12 -O3, double and float; 0: none. */
 typedef struct item {
     const char *name, *unit;
     range *run, *naive;
@@ -377,7 +377,8 @@ static void measure(int which, int round)
         repeats = repeats_of(c->run);
         t = time_range(c->run, 1, repeats) / repeats;
         filled = time_fill(bytes, which, repeats) / repeats * units * c->bytes / (double)bytes;
-        if (c->naive && !which) naive = time_range(c->naive, 1, 1 + repeats / 4) / (1 + repeats / 4);
+        if (c->naive && !which)
+            naive = time_range(c->naive, 1, 1 + repeats / 4) / (1 + repeats / 4);
         result[which][i][TIME][round] = t / units;
         result[which][i][NAIVE][round] = naive / units;
         result[which][i][FILL][round] = filled / units;
@@ -415,19 +416,21 @@ static void print_row(int which, int i, int rounds, FILE *csv)
 {
     const item *c = &items[i];
     double x[COLUMNS], spread[COLUMNS], reference = c->reference[sizeof(n3_real) == 4];
-    const char *where = which ? "memory" : "cache", *type = sizeof(n3_real) == 4 ? "float" : "double";
+    const char *where = which ? "memory" : "cache";
+    const char *type = sizeof(n3_real) == 4 ? "float" : "double";
     int k;
     for (k = 0; k < COLUMNS; k++) x[k] = median(result[which][i][k], rounds, &spread[k]);
     if (csv)
-        fprintf(csv, "%s,%s,%s,%s,%.4g,%.1f,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g\n", c->name, c->unit, type,
-                where, x[TIME], spread[TIME], c->bytes / x[TIME], x[TO_FILL], x[NAIVE], reference,
-                x[TO_NAIVE], x[THREADS]);
+        fprintf(csv, "%s,%s,%s,%s,%.4g,%.1f,%.4g,%.4g,%.4g,%.4g,%.4g,%.4g\n", c->name, c->unit,
+                type, where, x[TIME], spread[TIME], c->bytes / x[TIME], x[TO_FILL], x[NAIVE],
+                reference, x[TO_NAIVE], x[THREADS]);
     printf("| %s | %s | %.2f +- %.0f %% | %.2f | %.0f %% |", c->name, where, x[TIME], spread[TIME],
            c->bytes / x[TIME], 100 * x[TO_FILL]);
     if (x[NAIVE] > 0 && reference > 0)
         printf(" %.1f (%.1f) | %.1f +- %.0f %% |", x[NAIVE], reference, x[TO_NAIVE],
                spread[TO_NAIVE]);
-    else if (x[NAIVE] > 0) printf(" %.1f | %.1f +- %.0f %% |", x[NAIVE], x[TO_NAIVE], spread[TO_NAIVE]);
+    else if (x[NAIVE] > 0)
+        printf(" %.1f | %.1f +- %.0f %% |", x[NAIVE], x[TO_NAIVE], spread[TO_NAIVE]);
     else printf(" | |");
     printf(" %.2f |\n", x[THREADS]);
 }

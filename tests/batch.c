@@ -206,8 +206,8 @@ static void check_centre(const built *b, int triangle, int rule, long row)
     CHECK_SAME(p.p[9], want, row);
 }
 
-/* The net in parts is the net; edges of triangles in a soup, with normals of all kinds, are those of
-   n3_edge_make where all triangles name the same, and centres those of the plain form. */
+/* The net in parts is the net; edges of triangles in a soup, with normals of all kinds, are those
+   of n3_edge_make where all triangles name the same, and centres those of the plain form. */
 static void net_in_parts(void)
 {
     static const int triangle[9] = {0, 1, 2, 1, 0, 3, 2, 1, 4};

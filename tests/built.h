@@ -81,8 +81,8 @@ static inline n3_patch built_patch(const built *b, int triangle)
     return p;
 }
 
-/* How far a normal of a lattice may be from n3_patch_normal: 6 N3_NOISE (|du| + |dv|) / |du x dv| in
-   a patch of size 1, and 4 eps for making it unit. */
+/* How far a normal of a lattice may be from n3_patch_normal: 6 N3_NOISE (|du| + |dv|) / |du x dv|
+   in a patch of size 1, and 4 eps for making it unit. */
 static inline double normal_bound(const n3_patch *p, n3_real u, n3_real v)
 {
     n3_jet j = n3_patch_jet(p, u, v);

@@ -643,8 +643,8 @@ static void refined_triangle(void)
 }
 
 /* The surface at a parent's parameters is the point: but for the weights' rounding, which moves it
-   by 16 ulp of its coordinates, below 4, and within normal_bound. The parent is the first triangle whose part has the point,
-   and a part's normals are the surface's there. */
+   by 16 ulp of its coordinates, below 4. The parent is the first triangle whose part has the point,
+   and a part's normals are the surface's there, within normal_bound. */
 static void check_parents(const built *b, const refined *r, int level, long row)
 {
     int i, k, f = -1, live = 0, *first = memory((size_t)r->points, sizeof *first);
