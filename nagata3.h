@@ -5331,12 +5331,17 @@ NAGATA3_API n3_hit n3i_hit_at(const n3_patch *p, n3_vec from, n3_vec d, int k, c
     return hit;
 }
 
-/* Into a list ascending in t. A full list cancels a hit against one from the other side. */
-NAGATA3_API int n3i_insert_hit(n3_hit *list, int count, n3_hit hit)
+/* Into a list ascending in t. A full list cancels a hit against one from the other side; over sums
+   the sides of those that wait for such a one. */
+NAGATA3_API int n3i_insert_hit(n3_hit *list, int count, n3_hit hit, int *over)
 {
     int i = 0;
-    if (count == N3_HITS) {
+    if (count == N3_HITS || *over * hit.side < 0) {
         while (i < count && list[i].side == hit.side) i++;
+        if (i == count || *over * hit.side < 0) {
+            *over += hit.side;
+            return count;
+        }
         for (; i + 1 < count; i++) list[i] = list[i + 1];
         return count - 1;
     }
@@ -5382,7 +5387,7 @@ NAGATA3_API int n3_patch_hits(const n3_patch *p, n3_vec from, n3_vec along, n3_r
                               n3_hit hit[N3_HITS])
 {
     n3i_stack stack;
-    int k = n3i_main_axis(along), found = 0, looked = 0, back;
+    int k = n3i_main_axis(along), found = 0, over = 0, looked = 0, back;
     n3_real size;
     if (k < 0) return 0;
     size = n3i_look_along(p, from, along, k, &stack.cell[0]);
@@ -5408,7 +5413,7 @@ NAGATA3_API int n3_patch_hits(const n3_patch *p, n3_vec from, n3_vec along, n3_r
         h.side = (winding > 0) == back ? 1 : -1;
         if (!(h.t >= t0 && h.t <= t1)) continue;
         for (; winding != 0; winding += winding > 0 ? -1 : 1)
-            found = n3i_insert_hit(hit, found, h);
+            found = n3i_insert_hit(hit, found, h, &over);
     }
     return found;
 }
