@@ -1346,7 +1346,8 @@ typedef struct n3_foot {
 
 /* The nearest point of the whole patch, however it is folded: its squared distance is the least one
    but for 32 eps of the square of the largest distance to a control point, and but for degenerate
-   patches that 2000 parts do not settle. Where several are nearest, one of them. The inverse of n3_patch_point: a point of the patch finds its u and v.
+   patches that 2000 parts do not settle. Where several are nearest, one of them. It inverts
+   n3_patch_point: a point of the patch finds its u and v.
    A foot on a side, u, v or w exactly 0, is the one that n3_edge_nearest finds, so that both
    patches of an edge return the same bits. NaN or infinite input: all NaN, side 0. About as long as
    ten of n3_patch_jet for a point near the patch. */
@@ -3701,8 +3702,8 @@ NAGATA3_API int n3i_walk_next(const n3i_cut *c, n3i_walk *w, n3i_spot out[3])
 /* ---- Definitions: the distance between a facet and its part of the patch ---- */
 
 /* The control vectors of du x dv at [i][j], the exponents of u and v, each but for a factor above
-   0: sums of the crosses of the quadratic nets of du and dv, in the order of n3_patch2.p, in which the
-   Bernstein polynomials of the last three carry a 2. */
+   0: sums of the crosses of the quadratic nets of du and dv, in the order of n3_patch2.p, in which
+   the Bernstein polynomials of the last three carry a 2. */
 NAGATA3_API void n3i_normal_net(const n3_patch *p, n3_vec out[5][5])
 {
     static const int from[6] = {0, 4, 7, 3, 9, 8}, to_u[6] = {3, 1, 6, 4, 5, 9};
@@ -5246,7 +5247,7 @@ NAGATA3_API n3_real n3i_jacobian(const n3i_cell *c, n3_real scale, n3_real out[2
     return largest_u * largest_v;
 }
 
-/* Whether the determinant has one sign on the cell, or is rounding: then no two hits on it cancel. */
+/* Whether the determinant has one sign on the cell, or is rounding: no two hits on it cancel. */
 NAGATA3_API int n3i_is_simple(const n3i_cell *c, n3_real scale)
 {
     n3_real det[25], high = 0, low = 0, noise = N3_NOISE * n3i_jacobian(c, scale, det);

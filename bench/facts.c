@@ -66,7 +66,8 @@ static void print_sphere(void)
 
 /* A drum: a cylinder of radius and height 1 with flat lids, whose faces bring their own normals to
    its rims. Points: the rims, bottom and top in turn, then the middles of the lids. */
-enum { AROUND = 16, RIM = 2 * AROUND, TRIANGLES = 4 * AROUND, EDGES = 3 * TRIANGLES / 2, PARTS = 4 };
+enum { AROUND = 16, RIM = 2 * AROUND, PARTS = 4 };
+enum { TRIANGLES = 4 * AROUND, EDGES = 3 * TRIANGLES / 2 };
 
 typedef struct drum {
     n3_vec point[RIM + 2], normal[AROUND + 2];

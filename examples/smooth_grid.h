@@ -56,8 +56,8 @@ double array_value(const array *a, int row, int component);
 /* The rows one after the other; in text a line for each. */
 void put_array(output *o, const array *a);
 
-/* What the grid has in a row for each node, without its place but with its normal, or for each element, without its
-   nodes; an array that ends with a name of NULL. */
+/* What the grid has in a row for each node, without its place but with its normal, or for each
+   element, without its nodes; an array that ends with a name of NULL. */
 array *grid_node_arrays(const grid *g);
 array *grid_element_arrays(const grid *g);
 array grid_places(const grid *g);

@@ -9,7 +9,7 @@ typedef struct shell {
     n3_real volume;   /* within the flat triangles, negative where they look inwards; 0: open */
     n3_vec lo, hi;    /* the box about its corners */
     int around;       /* the shell whose cavity it is; */
-    int cavity, next; /* the first cavity of its own, and the next one of the same shell: -1: none */
+    int cavity, next; /* its first cavity, and the next one of the same shell; -1: none */
 } shell;
 
 typedef struct shells {

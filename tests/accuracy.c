@@ -1,7 +1,7 @@
 /* The figures that `make accuracy` prints, pinned to 2 percent, and the observed orders to 0.3.
  *
  * Distances are known to 16 eps, the error of the foot point, beside the rounding of the patch;
- * normals to some eps over the length of an edge, 1/100 at least. What is smaller is not compared. */
+ * normals to some eps over the length of an edge, 1/100 at least. Smaller ones are not compared. */
 #include "check.h"
 
 #include "../bench/accuracy.h"

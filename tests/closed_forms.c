@@ -572,7 +572,7 @@ static void centre_is_pn(void)
 }
 
 /* (6.1.10) - K (A_ab v_c + A_bc v_a + A_ca v_b), with x_i, v_i the corners and normals less their
- * means, A_ij = (<x_i, v_j> + <x_j, v_i>)/2 and K = (12 sum k^2 - 3)/64, k = 1/(1 + |n_i + n_j|/2) */
+ * means, A_ij = (<x_i, v_j> + <x_j, v_i>)/2, K = (12 sum k^2 - 3)/64, k = 1/(1 + |n_i + n_j|/2) */
 static dvec arc_centre_along(const n3_edge e[3], const n3_vec n[3])
 {
     dvec x[3], v[3], xm = d_v(0, 0, 0), vm = d_v(0, 0, 0), C = d_v(0, 0, 0);

@@ -147,8 +147,8 @@ NAGATA3_API brown_square brown_lattice_square(const brown_lattice *l, int i, int
 /* ---- The quad ---- */
 
 /* Ours, after [3]: the square over the quad of four vertices, x00, x10, x11, x01, its sides edges
-   of nagata3.h. Along each side the tangent planes follow from this side and the normals at its ends
-   alone: two quads that share them have the same planes all along, and the normals do not jump.
+   of nagata3.h. Along each side the tangent planes follow from this side and the normals at its
+   ends alone: two quads that share them have the same planes all along, and no normal jumps.
    The planes are spanned by the side's derivative D(t) and by S(t), a quadratic from n0 x t0 to
    n1 x t1, the normals times the side's unit tangents; in the middle it has their mean length and
    is square to the side and to n0 + n1. The cross tangents are
@@ -160,9 +160,9 @@ NAGATA3_API brown_square brown_lattice_square(const brown_lattice *l, int i, int
 NAGATA3_API brown_square brown_quad_make(const n3_vertex corner[4], const n3_options *o);
 
 /* The same from edges that are there already, which run round the quad: from 0 to 1 and so on.
-   mid: a normal to want in the middle of each in place of n0 + n1, of any length; zero, or mid NULL:
-   none. A zero normal at a corner is replaced by that at the other end of each edge; where both
-   are, the cross tangents are linear. */
+   mid: a normal to want in the middle of each in place of n0 + n1, of any length; zero, or mid
+   NULL: none. A zero normal at a corner is replaced by that at the other end of each edge; where
+   both are, the cross tangents are linear. */
 NAGATA3_API brown_square brown_quad_from_edges(const n3_vertex corner[4], const n3_edge edge[4],
                                                const n3_vec mid[4], const n3_options *o);
 
@@ -172,9 +172,9 @@ NAGATA3_API brown_square brown_quad_from_edges(const n3_vertex corner[4], const 
 NAGATA3_API n3_vec brown_mid_normal(n3_vertex a, n3_vertex b, const n3_vertex c[2],
                                     const n3_vertex d[2]);
 
-/* The square over a quad of a mesh: over its triangles f and f + 1, which have the corners 0 1 2 and
-   0 2 3 of it, between the edges of its net. half: of each triangle 2 q or 2 q + 1, as it is the
-   first or the second of the quad q; negative: it is a triangle. By N3_RULE_FIT the normals in the
+/* The square over a quad of a mesh: over its triangles f and f + 1, which have the corners 0 1 2
+   and 0 2 3 of it, between the edges of its net. half: of each triangle 2 q or 2 q + 1, as it is
+   the first or the second of the quad q; negative: it is a triangle. By N3_RULE_FIT the normals in the
    middle of the sides are fitted over what meets there, brown_mid_normal, where two faces do that
    agree on the normals at the ends; a triangle counts as a quad with its third corner twice.
    The topology and the net are the mesh's; the triangles have an edge on every side. */
@@ -529,8 +529,10 @@ NAGATA3_API n3_vec brown_normal(const brown_square *s, n3_real u, n3_real v)
     n = browni_normal_at(brown_jet(s, u, v), size, 0, 0);
     step[0] = N3_EPS;
     step[1] = BROWNI_WAY;
-    for (k = 0; k < 2 && n3i_is_zero(n); k++)
-        n = browni_normal_at(brown_jet(s, u + step[k] * to_u, v + step[k] * to_v), size, to_u, to_v);
+    for (k = 0; k < 2 && n3i_is_zero(n); k++) {
+        n3_jet moved = brown_jet(s, u + step[k] * to_u, v + step[k] * to_v);
+        n = browni_normal_at(moved, size, to_u, to_v);
+    }
     return n;
 }
 
@@ -799,8 +801,8 @@ NAGATA3_API void browni_add_times(n3_vec *c, const n3_vec q[3], const n3_real l[
     for (k = 0; k < 5; k++) c[k] = n3_add(c[k], n3_add(a[k], b[k]));
 }
 
-/* Cross tangents along a side, l(t) D(t) + m(t) S(t), that are T[0], T[1] and T[2] at its beginning,
-   middle and end. Linear where there is no S at an end. */
+/* Cross tangents along a side, l(t) D(t) + m(t) S(t), that are T[0], T[1] and T[2] at its
+   beginning, middle and end. Linear where there is no S at an end. */
 NAGATA3_API brown_field browni_cross_tangents(const browni_frame *f, const n3_vec T[3])
 {
     n3_real l[3], m[3];

@@ -28,7 +28,8 @@ every_function() {
     printf 'const function functions[] = {\n'
     for prefix in n3 brown join; do
         cat $headers |
-            sed -n "s/^NAGATA3_API [^(]*[ *]\(${prefix}_[a-z0-9_]*\)(.*/    (function)\1,/p" | sort -u
+            sed -n "s/^NAGATA3_API [^(]*[ *]\(${prefix}_[a-z0-9_]*\)(.*/    (function)\1,/p" |
+            sort -u
     done
     printf '};\n'
 }
