@@ -2753,6 +2753,7 @@ NAGATA3_API void n3_mesh_centres(const n3_mesh *m, const n3_topology *t, const n
                                  int first, int last, n3_vec *net)
 {
     n3_vec *centre = net + m->points + 2 * t->edges;
+    if (first >= last) return;
     memset(centre + first, 0, (size_t)(last - first) * sizeof *centre); /* they are read */
     for (; n3i_is_arc(o) && first < last; first += N3I_WIDTH)
         n3i_arc_centres(m, t, o, first, last - first < N3I_WIDTH ? last : first + N3I_WIDTH, net);
