@@ -176,7 +176,8 @@ check 'it is closed' facts "$dir/out.obj" '
                 c[5] = c[2]; for (i = 2; i <= 4; i++) side[c[i], c[i + 1]]++ }
     END { for (s in side) { split(s, a, SUBSEP); if (side[s] != 1 || side[a[2], a[1]] != 1) bad++ }
           exit bad > 0 }'
-for out in '--view zebra -o out.png' '-n 3 -o out.ply' '--tol 1% -o out.stl' '--order 2 -o out.vtu' '-o out.msh'; do
+for out in '--view zebra --size 80x60 -o out.png' '-n 3 -o out.ply' '--tol 1% -o out.stl' \
+    '--order 2 -o out.vtu' '-o out.msh'; do
     check "smooth --quads brown $out" "$smooth" "$dir/torus.obj" --quads brown --quiet \
         ${out%out.*} "$dir/out.${out##*.}"
 done
