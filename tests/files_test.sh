@@ -1,29 +1,10 @@
 #!/bin/sh
 # files_test.sh SMOOTH WRITE_SEEDS DUMP: what is read of files of every format, run from the top of
 # the project. Three meshes stand in the seeds: faces, volumes, and what STL can hold of the faces.
-smooth=$1 write_seeds=$2 dump=$3 passed=0 failed=0
-dir=$(dirname "$smooth")/files_test
-rm -rf "$dir"
-mkdir -p "$dir/seeds" "$dir/out"
+smooth=$1 write_seeds=$2 dump=$3 suite=files program=$1
+. tests/check.sh
+mkdir "$dir/seeds" "$dir/out"
 "$write_seeds" "$dir/seeds" || exit 1
-
-# check NAME COMMAND...: the command succeeds.
-check() {
-    name=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAIL files: $name"
-    fi
-}
-
-# same NAME GOT WANT
-same() {
-    [ "$2" = "$3" ] || printf '    got\n%s\n    want\n%s\n' "$2" "$3"
-    check "$1" [ "$2" = "$3" ]
-}
 
 # reads WANT FILE...: so the mesh in each of the files is.
 reads() {
@@ -606,5 +587,4 @@ for file in cube cavity two turned; do check "$file closes" closes "$dir/out/$fi
 same 'status of a report into a closed pipe' "$(cat "$dir/status")" 1
 check 'what it says' grep -q '^smooth: standard output: ' "$dir/stderr"
 
-echo "files: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+verdict

@@ -1,28 +1,8 @@
 #!/bin/sh
 # pictures_test.sh SMOOTH DEMO_MESH: what smooth draws, run from the top of the project.
-smooth=$1 demo_mesh=$2 passed=0 failed=0
-dir=$(dirname "$smooth")/pictures_test
-rm -rf "$dir"
-mkdir -p "$dir"
+smooth=$1 demo_mesh=$2 suite=pictures program=$1
+. tests/check.sh
 "$demo_mesh" > "$dir/demo.obj"
-
-# check NAME COMMAND...: the command succeeds.
-check() {
-    name=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAIL pictures: $name"
-    fi
-}
-
-# same NAME GOT WANT
-same() {
-    [ "$2" = "$3" ] || printf '    got\n%s\n    want\n%s\n' "$2" "$3"
-    check "$1" [ "$2" = "$3" ]
-}
 
 draw() {
     "$smooth" "$@" --quiet --size 160x120 && return
@@ -132,5 +112,4 @@ check 'no output after bad usage' [ ! -e "$dir/no.png" ]
 same 'status where the folder is absent' $? 1
 check 'no temporary file is left' [ -z "$(find "$dir" -name '*.part*')" ]
 
-echo "pictures: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+verdict

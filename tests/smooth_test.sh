@@ -1,28 +1,8 @@
 #!/bin/sh
 # smooth_test.sh SMOOTH DEMO_MESH: tests of the program smooth, run from the top of the project.
-smooth=$1 demo_mesh=$2 passed=0 failed=0
-dir=$(dirname "$smooth")/smooth_test
+smooth=$1 demo_mesh=$2 suite=smooth program=$1
+. tests/check.sh
 meshes=../shared/meshes
-rm -rf "$dir"
-mkdir -p "$dir"
-
-# check NAME COMMAND...: the command succeeds.
-check() {
-    name=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAIL smooth: $name"
-    fi
-}
-
-# same NAME GOT WANT
-same() {
-    [ "$2" = "$3" ] || printf '    got  %.300s\n    want %.300s\n' "$2" "$3"
-    check "$1" [ "$2" = "$3" ]
-}
 
 quiet() { "$smooth" --quiet "$@"; }
 
@@ -420,5 +400,4 @@ else
     echo "smooth: $meshes is absent, its meshes are skipped"
 fi
 
-echo "smooth: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+verdict

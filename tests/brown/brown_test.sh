@@ -1,23 +1,9 @@
 #!/bin/sh
 # brown_test.sh BROWN SMOOTH: tests of the program brown and of smooth --quads brown, run from the top
 # of the project.
-brown=$1 smooth=$2 passed=0 failed=0
-dir=$(dirname "$brown")/brown_test
+brown=$1 smooth=$2 suite=brown program=$1
+. tests/check.sh
 shapes=examples/brown
-rm -rf "$dir"
-mkdir -p "$dir"
-
-# check NAME COMMAND...: the command succeeds.
-check() {
-    name=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAIL brown: $name"
-    fi
-}
 
 # facts OBJ PROGRAM: what awk says of the points x, y, z of a file at its end.
 facts() { awk "$2" "$1"; }
@@ -184,5 +170,4 @@ done
 "$smooth" "$dir/torus.obj" --quads brown --bezier -o "$dir/out.vtu" 2>/dev/null
 check 'no control points' [ $? = 2 ]
 
-echo "brown: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+verdict

@@ -1,29 +1,9 @@
 #!/bin/sh
 # join_test.sh JOIN SEAMS: tests of the program join, run from the top of the project.
-join=$1 seams=$2 passed=0 failed=0
-dir=$(dirname "$join")/join_test
+join=$1 seams=$2 suite=join program=$1
+. tests/check.sh
 meshes=../shared/meshes
-rm -rf "$dir"
-mkdir -p "$dir"
 "$seams" "$dir"
-
-# check NAME COMMAND...: the command succeeds.
-check() {
-    name=$1
-    shift
-    if "$@"; then
-        passed=$((passed + 1))
-    else
-        failed=$((failed + 1))
-        echo "FAIL join: $name"
-    fi
-}
-
-# same NAME GOT WANT
-same() {
-    [ "$2" = "$3" ] || printf '    got  %.300s\n    want %.300s\n' "$2" "$3"
-    check "$1" [ "$2" = "$3" ]
-}
 
 quiet() { "$join" --quiet "$@"; }
 
@@ -207,5 +187,4 @@ else
     echo "skip the shared meshes: $meshes is not there"
 fi
 
-echo "join: $passed passed, $failed failed"
-[ "$failed" -eq 0 ]
+verdict
