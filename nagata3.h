@@ -1049,9 +1049,9 @@ typedef struct n3_topology {
    counts are out of range. */
 NAGATA3_API size_t n3_mesh_workspace(const n3_mesh *m);
 
-/* Fills the topology. work is aligned for int; it must live as long as the topology is used, which
-   goes for every mesh with the same triangles, wherever its points are. Normals are not looked at.
-   Linear: three counting passes. */
+/* Fills the topology, which is empty after an error. work is aligned for int; it must live as long
+   as the topology is used, which goes for every mesh with the same triangles, wherever its points
+   are. Normals are not looked at. Linear: three counting passes. */
 NAGATA3_API n3_status n3_mesh_topology(const n3_mesh *m, void *work, size_t size,
                                        n3_topology *topology, int *item);
 
@@ -1689,6 +1689,7 @@ NAGATA3_API n3_status n3_mesh_topology(const n3_mesh *m, void *work, size_t size
     n3_status status = n3i_check_shape(m, item);
     size_t needed = n3_mesh_workspace(m);
     int *edge = (int *)work, *first, *side, sides, i;
+    if (topology) memset(topology, 0, sizeof *topology);
     if (status != N3_OK) return status;
     if (!work || !topology) return n3i_blame(N3_NULL_POINTER, -1, item);
     if (needed == 0) return n3i_blame(N3_BAD_COUNT, -1, item);

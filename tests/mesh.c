@@ -187,9 +187,11 @@ static void status_of_pointers(void)
     int k = 5, normals, *corner = b.corner;
     CHECK(n3_mesh_workspace(NULL) == 0, 0);
     check_status(n3_mesh_topology(m, b.work, size - 1, &t, &k), N3_BAD_WORKSPACE, &k, 1);
+    CHECK(!t.edge && t.edges == 0, 1);
     check_status(n3_mesh_topology(m, NULL, size, &t, &k), null, &k, 2);
     check_status(n3_mesh_topology(m, b.work, size, NULL, &k), null, &k, 3);
     check_status(n3_mesh_topology(NULL, b.work, size, &t, &k), null, &k, 4);
+    t = b.t;
     check_status(n3_mesh_normals(m, &t, 0, NULL, NULL, corner, &normals, &k), null, &k, 5);
     check_status(n3_mesh_normals(m, &t, 0, NULL, normal, NULL, &normals, &k), null, &k, 6);
     check_status(n3_mesh_normals(m, &t, 0, NULL, normal, corner, NULL, &k), null, &k, 7);

@@ -67,7 +67,7 @@ static void check_line(const built *b, n3_vec from, n3_vec along, int agree, lon
     int f, i, sum = 0, hits = 0;
     for (f = 0; f < b->m.triangles; f++) {
         n3_patch p = built_patch(b, f);
-        int n = n3_patch_hits(&p, from, along, -HUGE_VALF, HUGE_VALF, hit);
+        int n = n3_patch_hits(&p, from, along, -(n3_real)HUGE_VAL, (n3_real)HUGE_VAL, hit);
         for (i = 0; i < n; i++) sum += hit[i].side;
         hits += n;
     }
@@ -110,7 +110,7 @@ static void rays_leave_a_sphere_once(void)
         for (f = 0; f < b.m.triangles; f++) {
             n3_patch p = built_patch(&b, f);
             n3_hit hit;
-            if (!n3_patch_hit(&p, from, along, 0, HUGE_VALF, &hit)) continue;
+            if (!n3_patch_hit(&p, from, along, 0, (n3_real)HUGE_VAL, &hit)) continue;
             hits++;
             CHECK(hit.side == -1, i);
             CHECK_NEAR(hit.t, 1, 64 * EPS, i); /* the sine is above 1/2 */
