@@ -2,16 +2,16 @@
 #include "joined.h"
 
 /* A tube of two rings. */
-typedef struct stub {
+typedef struct sleeve {
     n3_vec point[2 * MOST_AROUND];
     int triangle[6 * MOST_AROUND];
-} stub;
+} sleeve;
 
 enum { N = 12 };
 
 /* One ring, and the ways from it to the other. Where the first, looked at along the way, runs
    clockwise, the triangles look outwards, unless they are turned. */
-static n3_mesh stub_make(stub *s, const n3_vec *x, const n3_vec *way, int n, int turned)
+static n3_mesh sleeve_make(sleeve *s, const n3_vec *x, const n3_vec *way, int n, int turned)
 {
     n3_mesh m;
     int i;
@@ -37,19 +37,19 @@ static n3_vec round_z(double radius, double z, int i, int n)
     return n3_v((n3_real)(radius * cos(a)), (n3_real)(radius * sin(a)), (n3_real)z);
 }
 
-typedef struct stubs {
-    stub stub[2];
+typedef struct sleeves {
+    sleeve sleeve[2];
     body a, b;
-} stubs;
+} sleeves;
 
 /* Two of them, A and B, whose points of the same number are joined; B is turned, so that the way
    through both leads in at A and out at B. */
-static stubs *stubs_open(n3_vec x[2][N], n3_vec way[2][N])
+static sleeves *sleeves_open(n3_vec x[2][N], n3_vec way[2][N])
 {
     static const int start[2] = {0, 0};
-    stubs *s = memory(1, sizeof *s);
-    n3_mesh a = stub_make(&s->stub[0], x[0], way[0], N, 0);
-    n3_mesh b = stub_make(&s->stub[1], x[1], way[1], N, 1);
+    sleeves *s = memory(1, sizeof *s);
+    n3_mesh a = sleeve_make(&s->sleeve[0], x[0], way[0], N, 0);
+    n3_mesh b = sleeve_make(&s->sleeve[1], x[1], way[1], N, 1);
     body_open(&a, &s->a);
     body_open(&b, &s->b);
     CHECK(body_take(&s->a, 0) == JOIN_OK, 0);
@@ -60,7 +60,7 @@ static stubs *stubs_open(n3_vec x[2][N], n3_vec way[2][N])
 }
 
 /* Round the z axis: radii, heights, and the ways into the meshes out from the axis and up. */
-static stubs *stubs_round(double ra, double rb, double height, const double way[4])
+static sleeves *sleeves_round(double ra, double rb, double height, const double way[4])
 {
     n3_vec x[2][N], w[2][N];
     int i;
@@ -70,17 +70,17 @@ static stubs *stubs_round(double ra, double rb, double height, const double way[
         w[0][i] = round_z(way[0], way[1], i, N);
         w[1][i] = round_z(way[2], way[3], i, N);
     }
-    return stubs_open(x, w);
+    return sleeves_open(x, w);
 }
 
-static void stubs_free(stubs *s)
+static void sleeves_free(sleeves *s)
 {
     body_free(&s->a);
     body_free(&s->b);
     free(s);
 }
 
-static joined stubs_join(const stubs *s, int method, double strength, int rows)
+static joined sleeves_join(const sleeves *s, int method, double strength, int rows)
 {
     join_options o = {0, {0, 0}};
     joined j;
@@ -91,7 +91,7 @@ static joined stubs_join(const stubs *s, int method, double strength, int rows)
 }
 
 /* The point i of B's loop is the one joined to point i of A's. */
-static int column_of(const stubs *s, int i)
+static int column_of(const sleeves *s, int i)
 {
     int k;
     for (k = 0; joini_at(&s->a.rim, k)->point != i; k++) continue;
@@ -134,8 +134,8 @@ static void test_F241_work_plane(void)
 static void test_F243_control_points(void)
 {
     static const double way[4] = {0.25, -1, 0.375, 1}, s = 0.4;
-    stubs *t = stubs_round(1, 1, 2, way);
-    joined j = stubs_join(t, JOIN_FUJITA, s, 3);
+    sleeves *t = sleeves_round(1, 1, 2, way);
+    joined j = sleeves_join(t, JOIN_FUJITA, s, 3);
     const int column = column_of(t, 0);
     const n3_vec *q = j.column[column].curve.p;
     int k, r;
@@ -151,7 +151,7 @@ static void test_F243_control_points(void)
         CHECK_VEC(j.point[4 * N + (r - 1) * N + column], want, 16 * EPS, r);
     }
     joined_free(&j);
-    stubs_free(t);
+    sleeves_free(t);
 }
 
 /* Parallel tangents, not in one line: the middle (5/4, 1) of the ends (1, 0) and (3/2, 2) dropped
@@ -159,13 +159,13 @@ static void test_F243_control_points(void)
 static void test_F243_parallel(void)
 {
     static const double way[4] = {0, -1, 0, 1}, s = 0.6;
-    stubs *t = stubs_round(1, 1.5, 2, way);
-    joined j = stubs_join(t, JOIN_FUJITA, s, 3);
+    sleeves *t = sleeves_round(1, 1.5, 2, way);
+    joined j = sleeves_join(t, JOIN_FUJITA, s, 3);
     const n3_vec *q = j.column[column_of(t, 0)].curve.p;
     CHECK_VEC(q[1], n3_v(1, 0, (n3_real)s), 8 * EPS, 0);
     CHECK_VEC(q[2], n3_v((n3_real)1.5, 0, (n3_real)(2 - s)), 8 * EPS, 1);
     joined_free(&j);
-    stubs_free(t);
+    sleeves_free(t);
 }
 
 /* Every cell is cut from P_ij to P_(i+1)(j+1). */
@@ -196,26 +196,26 @@ static void test_F25_sharp_bend(void)
     static const double way[2][4] = {{0, -1, 1, 0.1}, {0, -1, 1, 0.25}}, s = 0.5;
     int row;
     for (row = 0; row < 2; row++) {
-        stubs *t = stubs_round(1, row ? 3 : 2, 1, way[row]);
-        joined j = stubs_join(t, JOIN_FUJITA, s, 3);
+        sleeves *t = sleeves_round(1, row ? 3 : 2, 1, way[row]);
+        joined j = sleeves_join(t, JOIN_FUJITA, s, 3);
         const n3_vec *q = j.column[column_of(t, 0)].curve.p;
         n3_real z = (n3_real)(row ? sqrt(17.0) / 4 : 0.45);
         CHECK_VEC(q[1], n3_v(1, 0, z), 16 * EPS, row);
         CHECK_VEC(q[2], n3_v(row ? 2 : (n3_real)1.5, 0, (n3_real)(row ? 0.75 : 0.95)), 16 * EPS,
                   row);
         joined_free(&j);
-        stubs_free(t);
+        sleeves_free(t);
     }
 }
 
 /* ---- Where its author says that it fails ---- */
 
 /* The largest angle at the seams by both methods, with 15 rows. */
-static void both(const stubs *s, double fujita[2], double nagata[2])
+static void both(const sleeves *s, double fujita[2], double nagata[2])
 {
     int method, k;
     for (method = 0; method < 2; method++) {
-        joined j = stubs_join(s, method ? JOIN_FUJITA : JOIN_NAGATA, 0, 15);
+        joined j = sleeves_join(s, method ? JOIN_FUJITA : JOIN_NAGATA, 0, 15);
         CHECK(j.status == JOIN_OK, method);
         for (k = 0; k < 2; k++) {
             double range[2];
@@ -231,12 +231,12 @@ static void both(const stubs *s, double fujita[2], double nagata[2])
 static void test_failure_1_behind(void)
 {
     static const double way[4] = {0, -1, 1, 2};
-    stubs *s = stubs_round(1, 2, 1, way);
+    sleeves *s = sleeves_round(1, 2, 1, way);
     double fujita[2], nagata[2];
     both(s, fujita, nagata);
     CHECK(fujita[0] > 170, 0);
     CHECK(nagata[0] < 6 && nagata[1] < 6, 0);
-    stubs_free(s);
+    sleeves_free(s);
 }
 
 /* Second: parallel and of the same direction. A tube in a wider one, both open at the top, at the
@@ -244,12 +244,12 @@ static void test_failure_1_behind(void)
 static void test_failure_2_same_direction(void)
 {
     static const double way[4] = {0, -1, 0, -1};
-    stubs *s = stubs_round(1, 2, 0.5, way);
+    sleeves *s = sleeves_round(1, 2, 0.5, way);
     double fujita[2], nagata[2];
     both(s, fujita, nagata);
     CHECK(fujita[1] > 120, 0);
     CHECK(nagata[0] < 12 && nagata[1] < 12, 0);
-    stubs_free(s);
+    sleeves_free(s);
 }
 
 /* Third: neighbouring parts of the loop turn abruptly. The plane crosses one triangle at a point,
@@ -292,7 +292,7 @@ static void test_failure_4_ripples(void)
 {
     n3_vec x[2][N], w[2][N];
     joined fujita, nagata;
-    stubs *s;
+    sleeves *s;
     int i;
     for (i = 0; i < N; i++) {
         x[0][i] = round_z(1, 0, i, N);
@@ -300,14 +300,14 @@ static void test_failure_4_ripples(void)
         w[0][i] = n3_v(0, 0, -1);
         w[1][i] = round_z(i % 2 ? 0.01 : 0, 1, i, N);
     }
-    s = stubs_open(x, w);
-    fujita = stubs_join(s, JOIN_FUJITA, 0, 7);
-    nagata = stubs_join(s, JOIN_NAGATA, 0, 7);
+    s = sleeves_open(x, w);
+    fujita = sleeves_join(s, JOIN_FUJITA, 0, 7);
+    nagata = sleeves_join(s, JOIN_NAGATA, 0, 7);
     CHECK(ripple(&fujita) > 0.1, 0);
     CHECK(ripple(&nagata) < 0.01, 0);
     joined_free(&fujita);
     joined_free(&nagata);
-    stubs_free(s);
+    sleeves_free(s);
 }
 
 /* ---- What it cannot do at all ---- */
@@ -317,17 +317,17 @@ static void test_errors(void)
     static const double up[4] = {0, -1, 0, 1};
     pair *p = pair_open(0, AROUND, 17);
     joined j = pair_join(p, JOIN_FUJITA, 3);
-    stubs *s;
+    sleeves *s;
     CHECK(j.status == JOIN_UNEQUAL, 0);
     joined_free(&j);
     pair_free(p);
 
-    s = stubs_round(1, 2, 0, up); /* no centre line */
-    j = stubs_join(s, JOIN_FUJITA, 0, 3);
+    s = sleeves_round(1, 2, 0, up); /* no centre line */
+    j = sleeves_join(s, JOIN_FUJITA, 0, 3);
     CHECK(j.status == JOIN_NO_PLANE, 1);
     CHECK(j.item == joini_at(&s->a.rim, 0)->point, 1);
     joined_free(&j);
-    stubs_free(s);
+    sleeves_free(s);
 }
 
 /* A point of the loop that has stepped back beside the one before it: all its triangles lie to one
@@ -335,7 +335,7 @@ static void test_errors(void)
 static void test_no_line(void)
 {
     n3_vec x[2][N], w[2][N];
-    stubs *s;
+    sleeves *s;
     joined j;
     int i;
     for (i = 0; i < N; i++) {
@@ -346,15 +346,15 @@ static void test_no_line(void)
     }
     x[0][5] = n3_sub(n3_mul(2, round_z(1, 0, 3, N)), n3_v((n3_real)0.3, 0, 0));
     w[0][5] = n3_sub(round_z(1, -1, 5, N), x[0][5]);
-    s = stubs_open(x, w);
-    j = stubs_join(s, JOIN_FUJITA, 0, 3);
+    s = sleeves_open(x, w);
+    j = sleeves_join(s, JOIN_FUJITA, 0, 3);
     CHECK(j.status == JOIN_NO_LINE, 0);
     CHECK(j.item == 5, 0);
     joined_free(&j);
-    j = stubs_join(s, JOIN_NAGATA, 0, 3);
+    j = sleeves_join(s, JOIN_NAGATA, 0, 3);
     CHECK(j.status == JOIN_OK, 1);
     joined_free(&j);
-    stubs_free(s);
+    sleeves_free(s);
 }
 
 const test_case tests_fujita[] = {
