@@ -575,6 +575,10 @@ static void faults_of_distance(void)
     CHECK(n3_mesh_refine_cut(&b.m, &b.t, b.net, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL) ==
               N3_NULL_POINTER, 3);
     CHECK(n3_mesh_cut(&b.m, &b.t, b.net, 1, cut, NULL, NULL, NULL, NULL) == N3_OK, 4);
+    b.net[b.nodes - 1].x = (n3_real)NAN; /* a centre: no cut will do */
+    item = -2;
+    CHECK(n3_mesh_cut(&b.m, &b.t, b.net, 1, cut, NULL, NULL, NULL, &item) == N3_BAD_COUNT, 6);
+    CHECK(item == -1, item);
     CHECK(n3_mesh_refine_cut(&b.m, &b.t, b.net, cut, NULL, NULL, NULL, NULL, NULL, NULL, NULL) ==
               N3_OK, 5);
     free(cut);

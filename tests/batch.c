@@ -281,7 +281,24 @@ static void names_of_normals(void)
     }
 }
 
+/* So many that what is written next is asked for beforehand. */
+static void lattices_beyond_a_cache(void)
+{
+    enum { MANY = 37 * PATCHES, LEVEL = 8, EACH = (LEVEL + 1) * (LEVEL + 2) / 2 };
+    static n3_patch p[MANY];
+    static n3_vec x[MANY * EACH], one[EACH];
+    int i, k;
+    CHECK(MANY * EACH > N3I_FETCHED, MANY);
+    for (i = 0; i < MANY; i += PATCHES) make_patches(i / PATCHES, p + i);
+    n3_lattice_points(p, 0, MANY, LEVEL, x);
+    for (i = 0; i < MANY; i++) {
+        n3_lattice_points(p, i, i + 1, LEVEL, one);
+        for (k = 0; k < EACH; k++) CHECK_SAME(x[EACH * i + k], one[k], i);
+    }
+}
+
 const test_case tests_batch[] = {{"lattice_points", lattice_points},
+                                 {"lattices_beyond_a_cache", lattices_beyond_a_cache},
                                  {"lattice_normals", lattice_normals},
                                  {"lattice_sides_agree", lattice_sides_agree},
                                  {"ranges", ranges},

@@ -750,6 +750,37 @@ static void lengths_in_closed_form(void)
     }
 }
 
+/* From the middle of a sphere, to which a patch is as near everywhere as it can be: all of it is
+   nearest, but for the error of the arc rule, which falls with the sixth power of the size. */
+static void nearest_of_equals(void)
+{
+    static const double size[] = {1, 0.5, 0.2, 0.1, 0.05};
+    const n3_options arc = {N3_RULE_ARC, 0, 0};
+    int i, k, j;
+    for (i = 0; i < 5; i++) {
+        n3_vertex v[3];
+        n3_patch p;
+        n3_foot foot;
+        double least = 4;
+        for (k = 0; k < 3; k++) {
+            n3_real s = (n3_real)size[i], one = 1;
+            v[k].x = n3_unit(n3_v(k == 0 ? one : one - s, k == 1 ? one : one - s,
+                                  k == 2 ? one : one - s));
+            v[k].n = v[k].x;
+        }
+        p = n3_patch_make(v[0], v[1], v[2], &arc);
+        foot = n3_patch_nearest(&p, n3_v(0, 0, 0));
+        for (j = 0; j <= 60; j++)
+            for (k = 0; k <= 60 - j; k++) {
+                n3_vec x = n3_patch_point(&p, (n3_real)k / 60, (n3_real)j / 60);
+                double d = (double)n3_dot(x, x);
+                least = d < least ? d : least;
+            }
+        CHECK((double)foot.distance2 <= least + 64 * EPS, i);
+        CHECK_NEAR(foot.distance2, n3_dot(foot.x, foot.x), 8 * EPS, i);
+    }
+}
+
 const test_case tests_query[] = {{"boxes_hold_and_fit", boxes_hold_and_fit},
                                  {"tight_boxes_of_hills", tight_boxes_of_hills},
                                  {"flatness_is_a_bound", flatness_is_a_bound},
@@ -764,6 +795,7 @@ const test_case tests_query[] = {{"boxes_hold_and_fit", boxes_hold_and_fit},
                                  {"curvature_of_the_degenerate", curvature_of_the_degenerate},
                                  {"nearest_is_nearest", nearest_is_nearest},
                                  {"points_find_themselves", points_find_themselves},
+                                 {"nearest_of_equals", nearest_of_equals},
                                  {"feet_on_shared_edges", feet_on_shared_edges},
                                  {"nearest_on_an_edge", nearest_on_an_edge},
                                  {"nearest_scaled_or_broken", nearest_scaled_or_broken},

@@ -351,11 +351,33 @@ static void scaled_rays(void)
     }
 }
 
+/* Whatever comes, the sides in the list and of those that wait add up to those that came. */
+static void full_lists_lose_no_side(void)
+{
+    rng r = {27};
+    long i, k, count = sample_count(200);
+    for (i = 0; i < count; i++) {
+        n3_hit list[N3_HITS], hit;
+        int n = 0, over = 0, sum = 0, j, left;
+        memset(&hit, 0, sizeof hit);
+        for (k = 0; k < 40; k++) {
+            hit.t = (n3_real)rng_uniform(&r, 0, 1);
+            hit.side = rng_uniform(&r, 0, 1) < (k < 20 ? 0.8 : 0.2) ? 1 : -1;
+            sum += hit.side;
+            n = n3i_insert_hit(list, n, hit, &over);
+            for (left = over, j = 0; j < n; j++) left += list[j].side;
+            CHECK(left == sum && n <= N3_HITS, i);
+            for (j = 1; j < n; j++) CHECK(list[j - 1].t <= list[j].t, i);
+        }
+    }
+}
+
 const test_case tests_query_hit[] = {{"lines_leave_what_they_enter", lines_leave_what_they_enter},
                                      {"rays_leave_a_sphere_once", rays_leave_a_sphere_once},
                                      {"sides_add_up_to_the_turns", sides_add_up_to_the_turns},
                                      {"points_are_hit", points_are_hit},
                                      {"nine_hits", nine_hits},
+                                     {"full_lists_lose_no_side", full_lists_lose_no_side},
                                      {"grazing_rays", grazing_rays},
                                      {"degenerate_rays", degenerate_rays},
                                      {"scaled_rays", scaled_rays},
