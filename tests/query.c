@@ -781,6 +781,25 @@ static void nearest_of_equals(void)
     }
 }
 
+/* Nets on a line, which the patch leaves and comes back to: all points of a curve in the domain are
+   nearest, too long a curve to be settled part by part. The first in double, the second in float. */
+static void nearest_on_a_line(void)
+{
+    static const struct {
+        double x[10], q[3];
+    } rows[] = {{{1, 2, -1.5, 1.5, -.5, -2, -1, 2, .5, 1}, {.75, 1, .5}},
+                {{0, .5, -1, 2, 2, 0, 2, 0, .5, 1}, {.5, .5, .5}}};
+    int i, k;
+    for (i = 0; i < 2; i++) {
+        const double *q = rows[i].q;
+        n3_patch p;
+        n3_foot foot;
+        for (k = 0; k < 10; k++) p.p[k] = n3_v((n3_real)rows[i].x[k], 0, 0);
+        foot = n3_patch_nearest(&p, n3_v((n3_real)q[0], (n3_real)q[1], (n3_real)q[2]));
+        CHECK_NEAR(foot.distance2, q[1] * q[1] + q[2] * q[2], 32 * EPS * 10, i);
+    }
+}
+
 const test_case tests_query[] = {{"boxes_hold_and_fit", boxes_hold_and_fit},
                                  {"tight_boxes_of_hills", tight_boxes_of_hills},
                                  {"flatness_is_a_bound", flatness_is_a_bound},
@@ -796,6 +815,7 @@ const test_case tests_query[] = {{"boxes_hold_and_fit", boxes_hold_and_fit},
                                  {"nearest_is_nearest", nearest_is_nearest},
                                  {"points_find_themselves", points_find_themselves},
                                  {"nearest_of_equals", nearest_of_equals},
+                                 {"nearest_on_a_line", nearest_on_a_line},
                                  {"feet_on_shared_edges", feet_on_shared_edges},
                                  {"nearest_on_an_edge", nearest_on_an_edge},
                                  {"nearest_scaled_or_broken", nearest_scaled_or_broken},
