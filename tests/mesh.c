@@ -1095,7 +1095,22 @@ static void thin_patch_does_not_fold(void)
     CHECK(!n3_patch_may_fold(&p), 0);
 }
 
+/* Triangles without an area: their points are linear in u and v, and so are those of the patch. */
+static void distance_from_a_line(void)
+{
+    shape s = shape_pillow();
+    built b;
+    n3_report r;
+    s.point[2] = n3_v((n3_real)0.4, 0, 0);
+    b = build(&s, N3_RULE_PAPER, -1);
+    r = n3_mesh_report(&b.m, &b.t, b.net, b.flags);
+    CHECK(r.flat_triangles == 2 && r.distance <= 8 * (n3_real)EPS, 0);
+    built_free(&b);
+    shape_free(&s);
+}
+
 const test_case tests_mesh[] = {{"unused_points_refined", unused_points_refined},
+                                {"distance_from_a_line", distance_from_a_line},
                                 {"jump_from_both_ends", jump_from_both_ends},
                                 {"thin_patch_does_not_fold", thin_patch_does_not_fold},
                                 {"normals_into_used_room", normals_into_used_room},
