@@ -1235,6 +1235,16 @@ NAGATA3_API void n3_lattice_points(const n3_patch *patch, int first, int last, i
 NAGATA3_API void n3_lattice_normals(const n3_patch *patch, int first, int last, int level,
                                     n3_vec *normal);
 
+/* The same numbers in blocks of N3_BLOCK patches, 32 bytes, which are faster to make, and to read
+   for who works on vectors: the x of the first point of all of them, the y, the z, those of the next
+   point. first is a multiple of N3_BLOCK; where the last block has fewer patches the last of them is
+   repeated, so that 3 N3_BLOCK (level + 1)(level + 2)/2 numbers are written for each block. */
+enum { N3_BLOCK = 32 / sizeof(n3_real) };
+NAGATA3_API void n3_lattice_point_blocks(const n3_patch *patch, int first, int last, int level,
+                                         n3_real *point);
+NAGATA3_API void n3_lattice_normal_blocks(const n3_patch *patch, int first, int last, int level,
+                                          n3_real *normal);
+
 /* The triangles between these points, level^2 for each patch, 3 indices each, which count from the
    first point of patch 0. */
 NAGATA3_API void n3_lattice_triangles(int first, int last, int level, int *triangle);
@@ -2010,7 +2020,11 @@ N3I_WIDE_API n3i_wide n3i_wide_of(n3_real a)
 
 N3I_WIDE_API n3i_wide n3i_pick(n3i_mask mask, n3i_wide a, n3i_wide b)
 {
+#ifdef __AVX__
+    return N3I_PICK(__builtin_ia32_blendvpd256, __builtin_ia32_blendvps256)(b, a, (n3i_wide)mask);
+#else
     return (n3i_wide)((mask & (n3i_mask)a) | (~mask & (n3i_mask)b));
+#endif
 }
 
 N3I_WIDE_API n3i_wide n3i_wide_abs(n3i_wide a)
@@ -2095,21 +2109,54 @@ N3I_WIDE_API void n3i_load(const n3_real *const from[N3I_WIDTH], int count, n3i_
     }
 }
 
-/* The reverse, for any count. */
-N3I_WIDE_API void n3i_store(const n3i_wide *from, int count, n3_real *const to[N3I_WIDTH])
+/* A store past the caches, to where a vector may begin; the fence after the last of them. */
+#if !NAGATA3_SIMD || !defined __SSE2__
+#define N3I_PAST(to, x) memcpy(to, &(x), sizeof(x))
+#elif __has_builtin(__builtin_nontemporal_store)
+#define N3I_PAST(to, x) __builtin_nontemporal_store(x, (n3i_wide *)(void *)(to))
+#elif defined __AVX__
+#define N3I_PAST N3I_PICK(__builtin_ia32_movntpd256, __builtin_ia32_movntps256)
+#else
+#define N3I_PAST N3I_PICK(__builtin_ia32_movntpd, __builtin_ia32_movntps)
+#endif
+
+NAGATA3_API void n3i_fence(void)
+{
+#if NAGATA3_SIMD && defined __SSE2__
+    __builtin_ia32_sfence();
+#endif
+}
+
+/* The reverse, of N3I_WIDTH numbers. */
+N3I_WIDE_API void n3i_store_block(const n3i_wide *from, n3_real *const to[N3I_WIDTH], size_t at,
+                                  int past)
 {
     n3i_wide row[N3I_WIDTH];
+    int i;
+    N3I_UNROLL
+    for (i = 0; i < N3I_WIDTH; i++) row[i] = from[i];
+    n3i_turn(row);
+    N3I_UNROLL
+    for (i = 0; i < N3I_WIDTH; i++)
+        if (past) N3I_PAST(to[i] + at, row[i]);
+        else memcpy(to[i] + at, &row[i], sizeof row[i]);
+}
+
+/* Of any count. */
+N3I_WIDE_API void n3i_store(const n3i_wide *from, int count, n3_real *const to[N3I_WIDTH],
+                            int past)
+{
+    n3_real *out[N3I_WIDTH];
     int i, k;
-    for (k = 0; k + N3I_WIDTH <= count; k += N3I_WIDTH) {
-        N3I_UNROLL
-        for (i = 0; i < N3I_WIDTH; i++) row[i] = from[k + i];
-        n3i_turn(row);
-        N3I_UNROLL
-        for (i = 0; i < N3I_WIDTH; i++) memcpy(to[i] + k, &row[i], sizeof row[i]);
-    }
-    for (; k < count; k++)
-        for (i = 0; i < N3I_WIDTH; i++)
-            memcpy(to[i] + k, (const char *)&from[k] + (size_t)i * sizeof **to, sizeof **to);
+    for (i = 0; i < N3I_WIDTH; i++) out[i] = to[i]; /* that no store could change */
+    for (k = 0; k + N3I_WIDTH <= count; k += N3I_WIDTH) n3i_store_block(from + k, out, (size_t)k, past);
+    if (k == count) return;
+    if (count > N3I_WIDTH)
+        n3i_store_block(from + (count - N3I_WIDTH), out, (size_t)(count - N3I_WIDTH), 0);
+    else
+        for (; k < count; k++)
+            for (i = 0; i < N3I_WIDTH; i++)
+                memcpy(out[i] + k, (const char *)&from[k] + (size_t)i * sizeof **to, sizeof **to);
 }
 
 N3I_WIDE_API n3i_wide_vec n3i_wide_v(n3i_wide x, n3i_wide y, n3i_wide z)
@@ -2686,7 +2733,7 @@ NAGATA3_API n3i_mask n3i_edge_points(n3_vertex end[N3I_WIDTH][2], const n3_optio
     n3i_load(from, 12, &v[0].x.x);
     ok = n3i_is_arc(&o) ? n3i_wide_edge_arc(v[0], v[1], p) : n3i_wide_edge_paper(v[0], v[1], &o, p);
     p[2] = p[0];
-    n3i_store(&p[0].x, 8, to);
+    n3i_store(&p[0].x, 8, to, 0);
     return ok;
 }
 
@@ -2745,7 +2792,7 @@ NAGATA3_API void n3i_arc_centres(const n3_mesh *m, const n3_topology *t, const n
     n3i_load(from, 45, &v[0].x);
     ok = (n3i_mask)(v[0].x <= v[0].x);
     v[0] = n3i_wide_centre_arc(v, v + 9, v + 12, &ok);
-    n3i_store(&v[0].x, 3, to);
+    n3i_store(&v[0].x, 3, to, 0);
     for (i = 0; i < N3I_WIDTH && first + i < last; i++)
         if (!n3i_lane(ok, i)) centre[first + i] = n3i_mesh_centre(m, t, o, net, first + i);
 }
@@ -2830,26 +2877,63 @@ NAGATA3_API void n3i_lattice_uv(int level, int i, int j, n3_real *u, n3_real *v)
     *v = i + j == level ? 1 - *u : (n3_real)j / (n3_real)level;
 }
 
-/* Numbers on their way to memory, a row for each lane. */
-enum { N3I_HELD = 96 };
-typedef struct n3i_sink { n3_real *to[N3I_WIDTH]; n3i_wide held[N3I_HELD]; } n3i_sink;
+/* Where the points of N3I_WIDTH lattices go, from at on. As blocks they are in place. As rows, one
+   for each lane, they are held until there are enough to be turned: held[begin] and on belong to
+   to[lane] and on, and all that can be written in whole units is, where no lane crosses a boundary
+   of cache lines that another does not. past: past the caches. */
+enum { N3I_ROW = 62, N3I_HELD = 384, N3I_FULL = N3I_HELD - 3 * (N3I_ROW + 2) };
+typedef struct n3i_sink {
+    n3_real *at, *to[N3I_WIDTH];
+    n3i_wide held[N3I_HELD];
+    int begin, unit, past, blocks;
+} n3i_sink;
 
-/* Empties the sink, filled up to end; returns where to go on. */
-N3I_WIDE_API n3i_wide *n3i_flush(n3i_sink *s, const n3i_wide *end)
+/* Writes what is held up to end. */
+N3I_WIDE_API void n3i_write(n3i_sink *s, int end, int past)
 {
-    int i, count = (int)(end - s->held);
-    n3i_store(s->held, count, s->to);
-    for (i = 0; i < N3I_WIDTH; i++) s->to[i] += count;
-    return s->held;
+    int i;
+    n3i_store(s->held + s->begin, end - s->begin, s->to, past);
+    for (i = 0; i < N3I_WIDTH; i++) s->to[i] += end - s->begin;
+    s->begin = end;
 }
 
-N3I_WIDE_API n3i_wide *n3i_put(n3i_sink *s, n3i_wide *at, n3i_wide_vec x)
+/* Writes whole units, or all; returns where to go on. */
+NAGATA3_API n3_real *n3i_flush(n3i_sink *s, const n3_real *at, int all)
 {
-    at[0] = x.x;
-    at[1] = x.y;
-    at[2] = x.z;
-    at += 3;
-    return at == s->held + N3I_HELD ? n3i_flush(s, at) : at;
+    n3_real *start = (n3_real *)(void *)s->held;
+    int last = (int)(at - start) / N3I_WIDTH, end = last / s->unit * s->unit;
+    if (s->begin % s->unit != 0 && end > 0) n3i_write(s, s->unit, 0);
+    if (s->begin < end && s->past) n3i_write(s, end, 1);
+    if (s->begin < end) n3i_write(s, end, 0);
+    if (s->begin < last && all) n3i_write(s, last, 0);
+    memmove(s->held, s->held + end, (size_t)(last - end) * sizeof *s->held);
+    s->begin -= end;
+    return start + (last - end) * N3I_WIDTH;
+}
+
+/* Makes room for N3I_ROW points and two more. */
+N3I_WIDE_API n3_real *n3i_room(n3i_sink *s, n3_real *at, int blocks)
+{
+    if (blocks || at <= (n3_real *)(void *)(s->held + N3I_FULL)) return at;
+    return n3i_flush(s, at, 0);
+}
+
+/* Numbers from the x of a point to its y, and to its z; from there to the next point's x. */
+#define N3I_STEP(blocks) ((blocks) ? N3_BLOCK : (int)N3I_WIDTH)
+
+N3I_WIDE_API n3_real *n3i_put(const n3i_sink *s, n3_real *at, n3i_wide_vec x, int blocks)
+{
+    const int step = N3I_STEP(blocks);
+    if (blocks && s->past) {
+        N3I_PAST(at, x.x);
+        N3I_PAST(at + step, x.y);
+        N3I_PAST(at + 2 * step, x.z);
+    } else {
+        memcpy(at, &x.x, sizeof x.x);
+        memcpy(at + step, &x.y, sizeof x.y);
+        memcpy(at + 2 * step, &x.z, sizeof x.z);
+    }
+    return at + 3 * step;
 }
 
 /* s a + b, a step of Horner's. */
@@ -2869,12 +2953,12 @@ NAGATA3_API n3_vec n3i_side_point(n3_edge e, int i, int level)
     return n3_edge_point(&e, (n3_real)i / (n3_real)level);
 }
 
-/* A side with its control points from the canonical end, and the steps from there to a point. */
-typedef struct n3i_wide_side { n3i_wide_vec p[4]; n3i_wide at, step; } n3i_wide_side;
+/* A side with its control points from the canonical end, and whether that is not its first. */
+typedef struct n3i_wide_side { n3i_wide_vec p[4]; n3i_mask back; } n3i_wide_side;
 
 /* A side whose ends are in two places; others are not ok. */
 N3I_WIDE_API n3i_wide_side n3i_wide_side_of(n3i_wide_vec p0, n3i_wide_vec p1, n3i_wide_vec p2,
-                                            n3i_wide_vec p3, int level, n3i_mask *ok)
+                                            n3i_wide_vec p3, n3i_mask *ok)
 {
     n3i_wide_vec d = n3i_wide_sub(p3, p0);
     n3i_wide way = n3i_pick((n3i_mask)(d.y < 0) | (n3i_mask)(d.y > 0), d.y, d.z);
@@ -2887,76 +2971,95 @@ N3I_WIDE_API n3i_wide_side n3i_wide_side_of(n3i_wide_vec p0, n3i_wide_vec p1, n3
     s.p[1] = n3i_wide_pick(back, p2, p1);
     s.p[2] = n3i_wide_pick(back, p1, p2);
     s.p[3] = n3i_wide_pick(back, p0, p3);
-    s.at = n3i_pick(back, n3i_wide_of((n3_real)level), n3i_wide_of(0));
-    s.step = n3i_pick(back, n3i_wide_of(-1), n3i_wide_of(1));
+    s.back = back;
     return s;
 }
 
-/* n3i_side_point at the next place. */
-N3I_WIDE_API n3i_wide_vec n3i_wide_side_next(n3i_wide_side *side, int level)
-{
-    n3i_wide r = side->at / (n3_real)level, s = 1 - r;
-    const n3i_wide_vec *p = side->p;
-    side->at += side->step;
-    return n3i_wide_add(
-        n3i_wide_add(n3i_wide_mul(s * s * s, p[0]), n3i_wide_mul(3 * s * s * r, p[1])),
-        n3i_wide_add(n3i_wide_mul(3 * s * r * r, p[2]), n3i_wide_mul(r * r * r, p[3])));
-}                                                                                   /* (5.1.1) */
+/* The weights of n3_edge_point, (5.1.1). */
+typedef struct n3i_wide_weights { n3i_wide b[4]; } n3i_wide_weights;
 
-/* The coefficients of u^i v^j in steps of h, i + 4 j - j (j - 1)/2 counting rows of constant j:
-   3!/(i! j! (3 - i - j)!) h^(i+j) times differences of the net at p003. */
+N3I_WIDE_API n3i_wide_weights n3i_wide_weights_at(n3i_wide r)
+{
+    n3i_wide s = 1 - r;
+    n3i_wide_weights w;
+    w.b[0] = s * s * s;
+    w.b[1] = 3 * s * s * r;
+    w.b[2] = 3 * s * r * r;
+    w.b[3] = r * r * r;
+    return w;
+}
+
+/* All of them at i / level, of a level below N3I_WEIGHTS: what the points of all sides share. */
+enum { N3I_WEIGHTS = 33 };
+
+NAGATA3_API void n3i_all_weights(int level, n3i_wide_weights w[N3I_WEIGHTS])
+{
+    int i;
+    for (i = 0; i <= level && level < N3I_WEIGHTS; i++)
+        w[i] = n3i_wide_weights_at(n3i_wide_of((n3_real)i / (n3_real)level));
+}
+
+/* n3i_side_point */
+N3I_WIDE_API n3i_wide_vec n3i_wide_side_point(const n3i_wide_side *side, int i, int level,
+                                              const n3i_wide_weights *w)
+{
+    n3i_wide_weights at;
+    int k;
+    if (level < N3I_WEIGHTS)
+        N3I_UNROLL
+        for (k = 0; k < 4; k++) at.b[k] = n3i_pick(side->back, w[level - i].b[k], w[i].b[k]);
+    else
+        at = n3i_wide_weights_at(n3i_pick(side->back,
+                                          n3i_wide_of((n3_real)(level - i) / (n3_real)level),
+                                          n3i_wide_of((n3_real)i / (n3_real)level)));
+    return n3i_wide_add(
+        n3i_wide_add(n3i_wide_mul(at.b[0], side->p[0]), n3i_wide_mul(at.b[1], side->p[1])),
+        n3i_wide_add(n3i_wide_mul(at.b[2], side->p[2]), n3i_wide_mul(at.b[3], side->p[3])));
+}
+
+/* The coefficients of w^i u^k in steps of h, i + 4 k - k (k - 1)/2 counting rows of constant k:
+   3!/(i! k! (3 - i - k)!) h^(i+k) times differences of the net at p030. */
 N3I_WIDE_API void n3i_wide_powers(const n3i_wide_vec q[10], n3_real h, n3i_wide_vec c[10])
 {
     n3i_wide h1 = n3i_wide_of(3 * h), h2 = n3i_wide_of(3 * h * h), h3 = n3i_wide_of(h * h * h);
-    n3i_wide_vec u0 = n3i_wide_sub(q[3], q[0]), v0 = n3i_wide_sub(q[8], q[0]);
-    n3i_wide_vec u1 = n3i_wide_sub(q[4], q[3]), v1 = n3i_wide_sub(q[7], q[8]);
-    n3i_wide_vec u2 = n3i_wide_sub(q[1], q[4]), v2 = n3i_wide_sub(q[2], q[7]);
-    n3i_wide_vec a = n3i_wide_sub(q[9], q[8]), b = n3i_wide_sub(q[9], q[3]);
-    n3i_wide_vec uu = n3i_wide_sub(u1, u0), vv = n3i_wide_sub(v1, v0);
-    n3i_wide_vec uuv = n3i_wide_sub(n3i_wide_sub(n3i_wide_sub(q[5], q[9]), a), uu);
-    n3i_wide_vec uvv = n3i_wide_sub(n3i_wide_sub(n3i_wide_sub(q[6], q[9]), b), vv);
-    c[0] = q[0];
-    c[1] = n3i_wide_mul(h1, u0);
-    c[2] = n3i_wide_mul(h2, uu);
-    c[3] = n3i_wide_mul(h3, n3i_wide_sub(n3i_wide_sub(u2, u1), uu));
-    c[4] = n3i_wide_mul(h1, v0);
-    c[5] = n3i_wide_mul(2 * h2, n3i_wide_sub(a, u0));
-    c[6] = n3i_wide_mul(3 * h3, uuv);
-    c[7] = n3i_wide_mul(h2, vv);
-    c[8] = n3i_wide_mul(3 * h3, uvv);
-    c[9] = n3i_wide_mul(h3, n3i_wide_sub(n3i_wide_sub(v2, v1), vv));
+    n3i_wide_vec w0 = n3i_wide_sub(q[7], q[2]), u0 = n3i_wide_sub(q[6], q[2]);
+    n3i_wide_vec w1 = n3i_wide_sub(q[8], q[7]), u1 = n3i_wide_sub(q[5], q[6]);
+    n3i_wide_vec w2 = n3i_wide_sub(q[0], q[8]), u2 = n3i_wide_sub(q[1], q[5]);
+    n3i_wide_vec a = n3i_wide_sub(q[9], q[6]), b = n3i_wide_sub(q[9], q[7]);
+    n3i_wide_vec ww = n3i_wide_sub(w1, w0), uu = n3i_wide_sub(u1, u0);
+    n3i_wide_vec wwu = n3i_wide_sub(n3i_wide_sub(n3i_wide_sub(q[3], q[9]), a), ww);
+    n3i_wide_vec wuu = n3i_wide_sub(n3i_wide_sub(n3i_wide_sub(q[4], q[9]), b), uu);
+    c[0] = q[2];
+    c[1] = n3i_wide_mul(h1, w0);
+    c[2] = n3i_wide_mul(h2, ww);
+    c[3] = n3i_wide_mul(h3, n3i_wide_sub(n3i_wide_sub(w2, w1), ww));
+    c[4] = n3i_wide_mul(h1, u0);
+    c[5] = n3i_wide_mul(2 * h2, n3i_wide_sub(a, w0));
+    c[6] = n3i_wide_mul(3 * h3, wwu);
+    c[7] = n3i_wide_mul(h2, uu);
+    c[8] = n3i_wide_mul(3 * h3, wuu);
+    c[9] = n3i_wide_mul(h3, n3i_wide_sub(n3i_wide_sub(u2, u1), uu));
 }
 
-/* The points of a lattice, or those inside it alone, in rows of constant v = j / level. Inside, and
-   not on the sides, x = c0 + u (c1 + u (c2 + u c3)) with u in steps and coefficients that a row
-   shares. */
-N3I_WIDE_API n3i_mask n3i_wide_lattice(const n3i_wide_vec q[10], int level, int inside,
-                                       n3i_sink *sink)
+/* Those of e^i s^k, e = u - w and s = u + w: rows of constant v go to both sides of e = 0. */
+N3I_WIDE_API void n3i_wide_centred(const n3i_wide_vec q[10], int level, n3i_wide_vec c[10])
 {
-    n3i_wide one = n3i_wide_of(1), u, v = one, *at = sink->held;
-    n3i_wide_vec c[10], row[3], x;
-    n3i_mask ok = (n3i_mask)(one > 0);
-    n3i_wide_side ab = n3i_wide_side_of(q[0], q[3], q[4], q[1], level, &ok);
-    n3i_wide_side bc = n3i_wide_side_of(q[1], q[5], q[6], q[2], level, &ok);
-    n3i_wide_side ac = n3i_wide_side_of(q[0], q[8], q[7], q[2], level, &ok);
-    int i, j;
-    n3i_wide_powers(q, 1 / (n3_real)level, c);
-    n3i_wide_side_next(&bc, level);
-    n3i_wide_side_next(&ac, level);
-    for (i = 0; !inside && i <= level; i++) at = n3i_put(sink, at, n3i_wide_side_next(&ab, level));
-    for (j = 1; j <= level; j++, v += one) {
-        row[0] = n3i_wide_step(n3i_wide_step(n3i_wide_step(c[9], v, c[7]), v, c[4]), v, c[0]);
-        row[1] = n3i_wide_step(n3i_wide_step(c[8], v, c[5]), v, c[1]);
-        row[2] = n3i_wide_step(c[6], v, c[2]);
-        if (!inside) at = n3i_put(sink, at, n3i_wide_side_next(&ac, level));
-        for (i = 1, u = one; i < level - j; i++, u += one) {
-            x = n3i_wide_step(n3i_wide_step(c[3], u, row[2]), u, row[1]);
-            at = n3i_put(sink, at, n3i_wide_step(x, u, row[0]));
-        }
-        if (!inside && j < level) at = n3i_put(sink, at, n3i_wide_side_next(&bc, level));
-    }
-    n3i_flush(sink, at);
-    return ok;
+    n3i_wide three = n3i_wide_of(3);
+    n3i_wide_vec a[2], b[2], d[2], w;
+    n3i_wide_powers(q, 1 / (2 * (n3_real)level), c);
+    w = c[1];
+    a[0] = n3i_wide_add(c[7], c[2]), a[1] = n3i_wide_sub(c[7], c[2]);
+    b[0] = n3i_wide_add(c[9], c[3]), b[1] = n3i_wide_sub(c[9], c[3]);
+    d[0] = n3i_wide_add(c[8], c[6]), d[1] = n3i_wide_sub(c[8], c[6]);
+    c[1] = n3i_wide_sub(c[4], w);
+    c[2] = n3i_wide_sub(a[0], c[5]);
+    c[3] = n3i_wide_sub(b[1], d[1]);
+    c[4] = n3i_wide_add(c[4], w);
+    c[7] = n3i_wide_add(a[0], c[5]);
+    c[5] = n3i_wide_add(a[1], a[1]);
+    c[6] = n3i_wide_sub(n3i_wide_mul(three, b[0]), d[0]);
+    c[8] = n3i_wide_add(n3i_wide_mul(three, b[1]), d[1]);
+    c[9] = n3i_wide_add(b[0], d[0]);
 }
 
 /* One over the size of the patch, the root of the sum of squares of the ways from p003. */
@@ -2970,8 +3073,9 @@ N3I_WIDE_API n3i_wide n3i_wide_inverse_size(const n3i_wide_vec q[10], n3i_mask *
         size += n3i_wide_dot(d, d);
     }
     some = (n3i_mask)(size > 0);
-    *ok &= some;
-    return 1 / n3i_wide_sqrt(n3i_pick(some, size, n3i_wide_of(1)));
+    size = 1 / n3i_wide_sqrt(n3i_pick(some, size, n3i_wide_of(1)));
+    *ok &= some & (n3i_mask)(size > 0); /* finite */
+    return size;
 }
 
 /* In a patch of this size 1 a product du x dv that is longer makes the normal: its direction has
@@ -2983,106 +3087,238 @@ N3I_WIDE_API n3i_wide_vec n3i_wide_normal(n3i_wide_vec du, n3i_wide_vec dv, n3_r
                                           n3i_mask *ok)
 {
     n3i_wide_vec n = n3i_wide_cross(du, dv);
-    n3i_wide nn = n3i_wide_dot(n, n);
-    n3i_mask is_clear = (n3i_mask)(nn > clear * clear);
-    *ok &= is_clear;
-    return n3i_wide_mul(1 / n3i_wide_sqrt(n3i_pick(is_clear, nn, n3i_wide_of(1))), n);
+    n3i_wide nn = n3i_wide_dot(n, n), least = n3i_wide_of(clear * clear);
+    *ok &= (n3i_mask)(nn > least);
+    return n3i_wide_mul(1 / n3i_wide_sqrt(n3i_wide_larger(least, nn)), n);
 }
 
-/* The normals of a lattice, in the same rows. */
-N3I_WIDE_API n3i_mask n3i_wide_normals(const n3i_wide_vec q[10], int level, n3i_sink *sink)
+/* What a row shares: f0 + e f1 + e^2 f2 + e^3 f3, or two of these without the last, whose cross
+   products are the normals; the least square of one that is clear, and the lowest there is. */
+typedef struct n3i_wide_row { n3i_wide_vec f[4], g[3]; n3i_wide least, lowest; } n3i_wide_row;
+
+/* even - e odd, even + e odd, or, in the middle, even */
+N3I_WIDE_API n3i_wide_vec n3i_wide_at_side(n3i_wide_vec even, n3i_wide e, n3i_wide_vec odd, int side)
 {
-    n3i_wide_vec c[10], du[2], dv[2], s, t;
-    n3i_wide one = n3i_wide_of(1), u, v = 0 * one, size, *at = sink->held;
-    n3_real h = 1 / (n3_real)level;
-    n3i_mask ok = (n3i_mask)(one > 0);
+    odd = n3i_wide_mul(e, odd);
+    return side < 0 ? n3i_wide_sub(even, odd) : n3i_wide_add(even, odd);
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_row_point(const n3i_wide_row *r, n3i_wide e, int side)
+{
+    n3i_wide ee = e * e;
+    if (side == 0) return r->f[0];
+    return n3i_wide_at_side(n3i_wide_step(r->f[2], ee, r->f[0]), e,
+                            n3i_wide_step(r->f[3], ee, r->f[1]), side);
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_row_normal(n3i_wide_row *r, n3i_wide e, int side)
+{
+    n3i_wide ee = e * e, nn;
+    n3i_wide_vec a = r->f[0], b = r->g[0];
+    if (side) a = n3i_wide_at_side(n3i_wide_step(r->f[2], ee, a), e, r->f[1], side);
+    if (side) b = n3i_wide_at_side(n3i_wide_step(r->g[2], ee, b), e, r->g[1], side);
+    a = n3i_wide_cross(a, b);
+    nn = n3i_wide_dot(a, a);
+    r->lowest = n3i_pick((n3i_mask)(nn < r->lowest), nn, r->lowest);
+    return n3i_wide_mul(1 / n3i_wide_sqrt(n3i_wide_larger(r->least, nn)), a);
+}
+
+N3I_WIDE_API n3i_wide_vec n3i_wide_row_at(n3i_wide_row *r, n3i_wide e, int side, int normals)
+{
+    return normals ? n3i_wide_row_normal(r, e, side) : n3i_wide_row_point(r, e, side);
+}
+
+/* Writes it at e = 1 - count, 3 - count, ... count - 1, from both ends where the row can be held. */
+N3I_WIDE_API n3_real *n3i_wide_row_all(n3i_wide_row *r, int count, int normals, n3i_sink *s,
+                                       n3_real *at, int blocks)
+{
+    const int step = 3 * N3I_STEP(blocks);
+    n3_real *end = at + step * count;
+    n3i_wide e = n3i_wide_of((n3_real)(count - 1));
+    if (count > N3I_ROW && !blocks) {
+        for (; count > 0; count--, e -= 2) {
+            if (count % N3I_ROW == 0) at = n3i_room(s, at, blocks);
+            at = n3i_put(s, at, n3i_wide_row_at(r, e, -1, normals), blocks);
+        }
+        return at;
+    }
+    for (; count > 1; count -= 2, e -= 2) {
+        at = n3i_put(s, at, n3i_wide_row_at(r, e, -1, normals), blocks);
+        n3i_put(s, at + step * (count - 2), n3i_wide_row_at(r, e, 1, normals), blocks);
+    }
+    if (count == 1) n3i_put(s, at, n3i_wide_row_at(r, e, 0, normals), blocks);
+    return end;
+}
+
+/* The points of a lattice, or those inside it alone, in rows of constant v = j / level. */
+N3I_WIDE_API n3i_mask n3i_wide_lattice(const n3i_wide_vec q[10], int level, int inside,
+                                       const n3i_wide_weights *w, n3i_sink *sink, int blocks)
+{
+    n3i_wide s = n3i_wide_of((n3_real)level);
+    n3i_wide_vec c[10];
+    n3i_wide_row row;
+    n3i_mask ok = (n3i_mask)(s > 0);
+    n3i_wide_side ab = n3i_wide_side_of(q[0], q[3], q[4], q[1], &ok);
+    n3i_wide_side bc = n3i_wide_side_of(q[1], q[5], q[6], q[2], &ok);
+    n3i_wide_side ac = n3i_wide_side_of(q[0], q[8], q[7], q[2], &ok);
+    n3_real *at = sink->at;
     int i, j;
-    n3i_wide_powers(q, h, c);
+    n3i_wide_centred(q, level, c);
+    row.f[3] = c[3];
+    for (i = 0; !inside && i <= level; i++) {
+        if (i % N3I_ROW == 0) at = n3i_room(sink, at, blocks);
+        at = n3i_put(sink, at, n3i_wide_side_point(&ab, i, level, w), blocks);
+    }
+    for (j = 1; j < level; j++) {
+        s -= 1;
+        row.f[0] = n3i_wide_step(n3i_wide_step(n3i_wide_step(c[9], s, c[7]), s, c[4]), s, c[0]);
+        row.f[1] = n3i_wide_step(n3i_wide_step(c[8], s, c[5]), s, c[1]);
+        row.f[2] = n3i_wide_step(c[6], s, c[2]);
+        at = n3i_room(sink, at, blocks);
+        if (!inside) at = n3i_put(sink, at, n3i_wide_side_point(&ac, j, level, w), blocks);
+        at = n3i_wide_row_all(&row, level - j - 1, 0, sink, at, blocks);
+        if (!inside) at = n3i_put(sink, at, n3i_wide_side_point(&bc, j, level, w), blocks);
+    }
+    if (!inside) at = n3i_put(sink, at, n3i_wide_side_point(&ac, level, level, w), blocks);
+    sink->at = at;
+    return ok;
+}
+
+/* The normals of a lattice, in the same rows: the derivatives by s and by e, whose product is half
+   of that by u and by v. */
+N3I_WIDE_API n3i_mask n3i_wide_normals(const n3i_wide_vec q[10], int level, n3i_sink *sink,
+                                       int blocks)
+{
+    n3i_wide s = n3i_wide_of((n3_real)level), two = n3i_wide_of(2), three = n3i_wide_of(3), size;
+    n3_real h = 1 / (n3_real)level, clear = N3I_CLEAR * h * h / 2, *at = sink->at;
+    n3i_wide_vec c[10];
+    n3i_wide_row row;
+    n3i_mask ok = (n3i_mask)(s > 0);
+    int i;
+    n3i_wide_centred(q, level, c);
     size = n3i_wide_inverse_size(q, &ok);
     for (i = 1; i < 10; i++) c[i] = n3i_wide_mul(size, c[i]);
-    for (j = 0; j <= level; j++, v += one) {
-        du[0] = n3i_wide_step(n3i_wide_step(c[8], v, c[5]), v, c[1]);
-        du[1] = n3i_wide_mul(2 * one, n3i_wide_step(c[6], v, c[2]));
-        dv[0] = n3i_wide_step(n3i_wide_step(c[9], 3 * v, n3i_wide_add(c[7], c[7])), v, c[4]);
-        dv[1] = n3i_wide_step(c[8], 2 * v, c[5]);
-        for (i = 0, u = 0 * one; i <= level - j; i++, u += one) {
-            s = n3i_wide_step(n3i_wide_step(c[3], 3 * u, du[1]), u, du[0]);
-            t = n3i_wide_step(n3i_wide_step(c[6], u, dv[1]), u, dv[0]);
-            at = n3i_put(sink, at, n3i_wide_normal(s, t, N3I_CLEAR * h * h, &ok));
-        }
+    row.f[2] = c[6];
+    row.g[2] = n3i_wide_mul(three, c[3]);
+    c[9] = n3i_wide_mul(three, c[9]);
+    c[7] = n3i_wide_mul(two, c[7]);
+    row.least = n3i_wide_of(clear * clear);
+    row.lowest = n3i_wide_of(1);
+    for (i = level; i >= 0; i--, s -= 1) {
+        row.f[0] = n3i_wide_step(n3i_wide_step(c[9], s, c[7]), s, c[4]);
+        row.f[1] = n3i_wide_step(c[8], 2 * s, c[5]);
+        row.g[0] = n3i_wide_step(n3i_wide_step(c[8], s, c[5]), s, c[1]);
+        row.g[1] = n3i_wide_mul(two, n3i_wide_step(c[6], s, c[2]));
+        at = n3i_room(sink, at, blocks);
+        at = n3i_wide_row_all(&row, i + 1, 1, sink, at, blocks);
     }
-    n3i_flush(sink, at);
-    return ok;
+    sink->at = at;
+    return ok & (n3i_mask)(row.lowest > row.least);
 }
 
 /* What is wanted: points, of a lattice those inside it, normals, jets. */
 enum { N3I_POINTS, N3I_INSIDE, N3I_NORMALS, N3I_JETS };
 
-/* What the wide form left out. */
-NAGATA3_API void n3i_plain_lattice(const n3_patch *p, int level, int what, n3_vec *out)
+/* What the wide form left out; step: from a point's x to its y. */
+NAGATA3_API void n3i_plain_lattice(const n3_patch *p, int level, int what, int step, n3_real *out)
 {
     n3_edge side[3];
+    n3_vec x;
     n3_real u, v;
     int i, j, inside = what == N3I_INSIDE;
     n3_patch_edges(p, side);
     side[2] = n3_edge_reverse(&side[2]);
     for (j = inside; j <= level - inside; j++)
-        for (i = inside; i <= level - j - inside; i++) {
+        for (i = inside; i <= level - j - inside; i++, out += 3 * step) {
             n3i_lattice_uv(level, i, j, &u, &v);
-            if (what == N3I_NORMALS) *out++ = n3_patch_normal(p, u, v);
-            else if (j == 0) *out++ = n3i_side_point(side[0], i, level);
-            else if (i == 0) *out++ = n3i_side_point(side[2], j, level);
-            else if (i + j == level) *out++ = n3i_side_point(side[1], j, level);
-            else *out++ = n3_patch_point(p, u, v);
+            if (what == N3I_NORMALS) x = n3_patch_normal(p, u, v);
+            else if (j == 0) x = n3i_side_point(side[0], i, level);
+            else if (i == 0) x = n3i_side_point(side[2], j, level);
+            else if (i + j == level) x = n3i_side_point(side[1], j, level);
+            else x = n3_patch_point(p, u, v);
+            out[0] = x.x;
+            out[step] = x.y;
+            out[2 * step] = x.z;
         }
 }
 
-/* The lattices of count patches, at most N3I_WIDTH, one after the other. */
-NAGATA3_API void n3i_lattices(const n3_patch *patch, int count, int level, int what, n3_vec *out)
+/* Patches next to each other that are left to one lane, where many are. */
+enum { N3I_PART = 64, N3I_LINE = 64 / sizeof(n3_real) };
+
+/* The lattices of count patches for each of so many lanes, part after part; of fewer lanes the last
+   is done more than once. */
+NAGATA3_API void n3i_lattices(const n3_patch *patch, int lanes, int part, int level, int what,
+                              const n3i_wide_weights *w, int blocks, int past, n3_real *out)
 {
+    const size_t each = blocks ? 1 : 3 * (size_t)n3i_inside(what == N3I_INSIDE ? level : level + 3);
     const n3_real *from[N3I_WIDTH];
     n3i_wide_vec q[10];
     n3i_sink sink;
-    n3i_mask ok;
-    size_t size = (size_t)n3i_inside(what == N3I_INSIDE ? level : level + 3);
-    int i;
+    n3i_mask ok[N3I_PART];
+    int i, k;
+    sink.past = past;
+    sink.unit = past ? N3I_LINE : N3I_WIDTH;
+    sink.begin = part > 1 ? (int)((size_t)out / sizeof *out % (size_t)sink.unit) : 0;
+    sink.at = blocks ? out : (n3_real *)(void *)(sink.held + sink.begin);
     for (i = 0; i < N3I_WIDTH; i++) {
-        int lane = i < count ? i : count - 1; /* more than once where there are too few */
+        int lane = (i < lanes ? i : lanes - 1) * part;
         from[i] = &patch[lane].p[0].x;
-        sink.to[i] = &out[size * (size_t)lane].x;
+        sink.to[i] = out + each * (size_t)lane;
     }
-    n3i_load(from, 30, &q[0].x);
-    if (what == N3I_NORMALS) ok = n3i_wide_normals(q, level, &sink);
-    else if (what == N3I_POINTS) ok = n3i_wide_lattice(q, level, 0, &sink);
-    else ok = n3i_wide_lattice(q, level, 1, &sink);
-    for (i = 0; i < count; i++)
-        if (!n3i_lane(ok, i)) n3i_plain_lattice(&patch[i], level, what, out + size * (size_t)i);
+    for (k = 0; k < part; k++) {
+        n3i_load(from, 30, &q[0].x);
+        if (what == N3I_NORMALS) ok[k] = n3i_wide_normals(q, level, &sink, blocks);
+        else if (what == N3I_POINTS) ok[k] = n3i_wide_lattice(q, level, 0, w, &sink, blocks);
+        else ok[k] = n3i_wide_lattice(q, level, 1, w, &sink, blocks);
+        for (i = 0; i < N3I_WIDTH; i++) from[i] += 30;
+    }
+    if (!blocks) n3i_flush(&sink, sink.at, 1);
+    for (k = 0; k < part; k++)
+        for (i = 0; i < (blocks ? (int)N3I_WIDTH : lanes); i++) {
+            int lane = (i < lanes ? i : lanes - 1) * part + k;
+            if (n3i_lane(ok[k], i)) continue;
+            n3i_plain_lattice(&patch[lane], level, what, blocks ? N3_BLOCK : 1,
+                              out + each * (size_t)(blocks ? i : lane));
+        }
 }
 
-/* Asks for what will be written next, no more than half a first cache: rows that lie apart would
-   not come in time by themselves. In a second cache, where this many vectors fit, they do. */
-enum { N3I_FETCHED = 16384 };
-
-NAGATA3_API void n3i_fetch(const n3_vec *to, size_t count)
-{
-#if NAGATA3_SIMD
-    const char *at = (const char *)to, *end = at + (count < 512 ? count : 512) * sizeof *to;
-    for (; at < end; at += 64) __builtin_prefetch(at, 1);
-#else
-    (void)to, (void)count;
-#endif
-}
+/* An output this large, in bytes, does not stay in a cache: what goes past it need not be read
+   before, which is faster from 8 to 16 MB on. */
+enum { N3I_FAR = 1 << 23 };
 
 NAGATA3_API void n3i_lattice_range(const n3_patch *patch, int first, int last, int level, int what,
                                    n3_vec *out)
 {
     size_t size = (size_t)n3i_inside(level + 3);
-    for (; first < last; first += N3I_WIDTH, out += N3I_WIDTH * size) {
-        int count = last - first < N3I_WIDTH ? last - first : N3I_WIDTH;
-        if ((size_t)(last - first) * size > N3I_FETCHED)
-            n3i_fetch(out + N3I_WIDTH * size, N3I_WIDTH * size);
-        n3i_lattices(patch + first, count, level, what, out);
+    int past = (size_t)(last - first) > N3I_FAR / sizeof *out / size;
+    int part = past ? (int)N3I_PART : (int)N3I_WIDTH, lanes = N3I_WIDTH;
+    n3i_wide_weights w[N3I_WEIGHTS];
+    n3i_all_weights(what == N3I_POINTS ? level : -1, w);
+    while (first < last) {
+        if (last - first < part * lanes) part = 1, past = 0;
+        if (last - first < lanes) lanes = last - first;
+        n3i_lattices(patch + first, lanes, part, level, what, w, 0, past, &out->x);
+        first += part * lanes;
+        out += (size_t)(part * lanes) * size;
     }
+    n3i_fence();
+}
+
+NAGATA3_API void n3i_block_range(const n3_patch *patch, int first, int last, int level, int what,
+                                 n3_real *out)
+{
+    size_t size = 3 * (size_t)n3i_inside(level + 3);
+    int past = (size_t)(last - first) > N3I_FAR / sizeof *out / size, i;
+    n3i_wide_weights w[N3I_WEIGHTS];
+    n3i_all_weights(what == N3I_POINTS ? level : -1, w);
+    past = past && (int)N3I_WIDTH == N3_BLOCK && (size_t)out % sizeof(n3i_wide) == 0;
+    for (; first < last; first += N3_BLOCK, out += N3_BLOCK * size)
+        for (i = 0; i < N3_BLOCK; i += N3I_WIDTH) {
+            int at = first + i < last ? first + i : last - 1;
+            int lanes = last - at < (int)N3I_WIDTH ? last - at : (int)N3I_WIDTH;
+            n3i_lattices(patch + at, lanes, 1, level, what, w, 1, past, out + i);
+        }
+    n3i_fence();
 }
 
 NAGATA3_API void n3_lattice_points(const n3_patch *patch, int first, int last, int level,
@@ -3095,6 +3331,18 @@ NAGATA3_API void n3_lattice_normals(const n3_patch *patch, int first, int last, 
                                     n3_vec *normal)
 {
     n3i_lattice_range(patch, first, last, level, N3I_NORMALS, normal);
+}
+
+NAGATA3_API void n3_lattice_point_blocks(const n3_patch *patch, int first, int last, int level,
+                                         n3_real *point)
+{
+    n3i_block_range(patch, first, last, level, N3I_POINTS, point);
+}
+
+NAGATA3_API void n3_lattice_normal_blocks(const n3_patch *patch, int first, int last, int level,
+                                          n3_real *normal)
+{
+    n3i_block_range(patch, first, last, level, N3I_NORMALS, normal);
 }
 
 NAGATA3_API void n3_lattice_triangles(int first, int last, int level, int *triangle)
@@ -3182,7 +3430,7 @@ N3I_WIDE_API n3i_mask n3i_wide_at(const n3i_wide_vec q[10], n3i_wide u, n3i_wide
     } else {
         j.x = n3i_wide_point(q, u, v, &ok);
     }
-    n3i_store(&j.x.x, what == N3I_JETS ? 18 : 3, to);
+    n3i_store(&j.x.x, what == N3I_JETS ? 18 : 3, to, 0);
     return ok;
 }
 
@@ -3317,11 +3565,13 @@ NAGATA3_API void n3_mesh_refine_edges(const n3_mesh *m, const n3_topology *t, co
     const n3_real *from[N3I_WIDTH];
     n3_edge e[N3I_WIDTH];
     n3i_wide_vec p[4];
-    n3i_wide_side side;
-    n3i_wide *at;
     n3i_sink sink;
+    n3i_wide_weights w[N3I_WEIGHTS];
+    n3_real *at;
+    n3i_wide_side side;
     n3i_mask ok;
     int i, k;
+    n3i_all_weights(level, w);
     for (point += m->points; level > 1 && first < last; first += N3I_WIDTH) {
         for (i = 0; i < N3I_WIDTH; i++) {
             int edge = first + i < last ? first + i : last - 1;
@@ -3331,11 +3581,12 @@ NAGATA3_API void n3_mesh_refine_edges(const n3_mesh *m, const n3_topology *t, co
         }
         n3i_load(from, 12, &p[0].x);
         ok = (n3i_mask)(p[0].x <= p[0].x);
-        side = n3i_wide_side_of(p[0], p[1], p[2], p[3], level, &ok);
-        n3i_wide_side_next(&side, level);
-        for (i = 1, at = sink.held; i < level; i++)
-            at = n3i_put(&sink, at, n3i_wide_side_next(&side, level));
-        n3i_flush(&sink, at);
+        side = n3i_wide_side_of(p[0], p[1], p[2], p[3], &ok);
+        sink.begin = sink.past = 0;
+        sink.unit = N3I_WIDTH;
+        for (i = 1, at = (n3_real *)(void *)sink.held; i < level; i++)
+            at = n3i_put(&sink, n3i_room(&sink, at, 0), n3i_wide_side_point(&side, i, level, w), 0);
+        n3i_flush(&sink, at, 1);
         for (i = 0; i < N3I_WIDTH && first + i < last; i++)
             for (k = 1; !n3i_lane(ok, i) && k < level; k++)
                 point[(level - 1) * (first + i) + k - 1] = n3i_side_point(e[i], k, level);
@@ -3351,7 +3602,7 @@ NAGATA3_API void n3i_refine_patches(const n3_mesh *m, const n3_topology *t, cons
     for (; first < last; first++) {
         if (!n3i_is_collapsed(m, first)) p[count++] = n3i_mesh_patch(m, t, net, first);
         if (count == 0 || (count < N3I_WIDTH && first + 1 < last)) continue;
-        n3i_lattices(p, count, level, what, out);
+        n3i_lattices(p, count, 1, level, what, NULL, 0, 0, &out->x);
         out += (size_t)count * (size_t)size;
         count = 0;
     }
