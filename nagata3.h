@@ -3295,9 +3295,9 @@ NAGATA3_API void n3i_lattice_range(const n3_patch *patch, int first, int last, i
     n3i_wide_weights w[N3I_WEIGHTS];
     n3i_all_weights(what == N3I_POINTS ? level : -1, w);
     while (first < last) {
-        if (last - first < part * lanes) part = 1, past = 0;
+        while (part > 1 && last - first < part * lanes) part = part > N3I_LINE ? (int)N3I_LINE : 1;
         if (last - first < lanes) lanes = last - first;
-        n3i_lattices(patch + first, lanes, part, level, what, w, 0, past, &out->x);
+        n3i_lattices(patch + first, lanes, part, level, what, w, 0, past && part > 1, &out->x);
         first += part * lanes;
         out += (size_t)(part * lanes) * size;
     }

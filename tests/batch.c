@@ -36,6 +36,10 @@ static n3_vec side_point(n3_edge e, int i, int level)
     return n3_edge_point(&e, (n3_real)i / (n3_real)level);
 }
 
+/* Inside, with M the largest coordinate, a first difference of the net is off by eps M, a second by
+   4, a third by 12, which makes 3 + 12 + 12 in all. Some 50 sums and products follow, each off by
+   half an eps of a partial sum, of 2 M in the middle, 12 M at most: 160 eps M if all had one sign,
+   and a root mean square below 12, a fifth of the bound. On a side there is no such difference. */
 static void check_point(const n3_patch *p, int level, int i, int j, n3_vec got, long row)
 {
     n3_edge side[3];
@@ -49,45 +53,47 @@ static void check_point(const n3_patch *p, int level, int i, int j, n3_vec got, 
     CHECK_VEC(got, want, bound * EPS * reach(p->p, 10), row);
 }
 
-/* Inside, with M the largest coordinate and every polynomial in steps: a first difference is off by
-   eps M, a second by 4, a third by 10, multiplied by 3, 6 and up to 6 in sums of 3 + 3 + 4 terms
-   whose rounding adds as much, below 56 eps M; n3_patch_point and u = i / level have 8. */
-static void lattice_points(void)
+static void check_normal(const n3_patch *p, int level, int i, int j, n3_vec got, long row)
 {
+    n3_real u = (n3_real)i / (n3_real)level, v = (n3_real)j / (n3_real)level;
+    if (i + j == level) v = 1 - u;
+    CHECK_VEC(got, n3_patch_normal(p, u, v), normal_bound(p, u, v), row);
+    CHECK(fabs((double)n3_len(got) - 1) <= 4 * EPS || n3_len(got) <= 0, row);
+}
+
+typedef void lattices(const n3_patch *patch, int first, int last, int level, n3_vec *out);
+typedef void blocks(const n3_patch *patch, int first, int last, int level, n3_real *out);
+typedef void check_one(const n3_patch *p, int level, int i, int j, n3_vec got, long row);
+
+static const struct { lattices *in_rows; blocks *in_blocks; check_one *check; } calls[2] = {
+    {n3_lattice_points, n3_lattice_point_blocks, check_point},
+    {n3_lattice_normals, n3_lattice_normal_blocks, check_normal}};
+
+/* Every number of lattices against the plain form. */
+static void check_lattices(int call, const n3_patch *p, int count, int level, const n3_vec *x,
+                           long row)
+{
+    int f, i, j;
+    for (f = 0; f < count; f++)
+        for (j = 0; j <= level; j++)
+            for (i = 0; i <= level - j; i++) calls[call].check(&p[f], level, i, j, *x++, row);
+}
+
+static void against_plain(int call)
+{
+    static n3_vec x[PATCHES * POINTS];
     long row, rows = sample_count(100);
     for (row = 0; row < rows; row++) {
         n3_patch p[PATCHES];
-        static n3_vec x[PATCHES * POINTS];
-        int f, i, j, level = levels[row % LEVELS];
-        n3_vec *at = x;
+        int level = levels[row % LEVELS];
         make_patches(row, p);
-        n3_lattice_points(p, 0, PATCHES, level, x);
-        for (f = 0; f < PATCHES; f++)
-            for (j = 0; j <= level; j++)
-                for (i = 0; i <= level - j; i++) check_point(&p[f], level, i, j, *at++, row);
+        calls[call].in_rows(p, 0, PATCHES, level, x);
+        check_lattices(call, p, PATCHES, level, x, row);
     }
 }
 
-static void lattice_normals(void)
-{
-    long row, rows = sample_count(100);
-    for (row = 0; row < rows; row++) {
-        n3_patch p[PATCHES];
-        static n3_vec n[PATCHES * POINTS];
-        int f, i, j, level = levels[row % LEVELS];
-        n3_vec *at = n;
-        make_patches(row, p);
-        n3_lattice_normals(p, 0, PATCHES, level, n);
-        for (f = 0; f < PATCHES; f++)
-            for (j = 0; j <= level; j++)
-                for (i = 0; i <= level - j; i++, at++) {
-                    n3_real u = (n3_real)i / (n3_real)level, v = (n3_real)j / (n3_real)level;
-                    if (i + j == level) v = 1 - u;
-                    CHECK_VEC(*at, n3_patch_normal(&p[f], u, v), normal_bound(&p[f], u, v), row);
-                    CHECK(fabs((double)n3_len(*at) - 1) <= 4 * EPS || n3_len(*at) <= 0, row);
-                }
-    }
-}
+static void lattice_points(void) { against_plain(0); }
+static void lattice_normals(void) { against_plain(1); }
 
 /* The patch seen from its corner b, and turned over: the same points on its sides. */
 static void lattice_sides_agree(void)
@@ -281,24 +287,132 @@ static void names_of_normals(void)
     }
 }
 
-/* So many that what is written next is asked for beforehand. */
-static void lattices_beyond_a_cache(void)
+/* Levels whose rows are longer than can be held, and than the table of weights. */
+static void long_rows(void)
 {
-    enum { MANY = 37 * PATCHES, LEVEL = 8, EACH = (LEVEL + 1) * (LEVEL + 2) / 2 };
-    static n3_patch p[MANY];
-    static n3_vec x[MANY * EACH], one[EACH];
-    int i, k;
-    CHECK(MANY * EACH > 0, MANY);
-    for (i = 0; i < MANY; i += PATCHES) make_patches(i / PATCHES, p + i);
-    n3_lattice_points(p, 0, MANY, LEVEL, x);
-    for (i = 0; i < MANY; i++) {
-        n3_lattice_points(p, i, i + 1, LEVEL, one);
-        for (k = 0; k < EACH; k++) CHECK_SAME(x[EACH * i + k], one[k], i);
+    static const int level[] = {N3I_WEIGHTS - 1, N3I_WEIGHTS, N3I_ROW, N3I_ROW + 2, 131};
+    int i, call;
+    for (i = 0; i < 5; i++) {
+        size_t size = (size_t)(level[i] + 1) * (size_t)(level[i] + 2) / 2;
+        n3_vec *x = memory(PATCHES * size, sizeof *x);
+        n3_patch p[PATCHES];
+        make_patches(i + 1, p);
+        for (call = 0; call < 2; call++) {
+            calls[call].in_rows(p, 0, PATCHES, level[i], x);
+            check_lattices(call, p, PATCHES, level[i], x, i);
+        }
+        free(x);
     }
 }
 
+static const n3_real guard = 12345;
+
+static n3_real *guarded(size_t count)
+{
+    n3_real *x = memory(count, sizeof *x);
+    while (count-- > 0) x[count] = guard;
+    return x;
+}
+
+/* The numbers that are not to be written, before and behind the others. */
+static void check_guards(const n3_real *x, size_t first, size_t last, size_t count, long row)
+{
+    size_t i;
+    for (i = 0; i < count; i++)
+        if (i < first || i >= last) CHECK(memcmp(&x[i], &guard, sizeof guard) == 0, row);
+}
+
+/* Rows from blocks, the last block with all its patches. */
+static n3_vec *unblocked(const n3_real *from, int patches, size_t size)
+{
+    n3_vec *x = memory((size_t)patches * size, sizeof *x);
+    size_t f, i;
+    for (f = 0; f < (size_t)patches; f++)
+        for (i = 0; i < size; i++) {
+            const n3_real *at = from + (f / N3_BLOCK * size + i) * 3 * N3_BLOCK + f % N3_BLOCK;
+            x[f * size + i] = n3_v(at[0], at[N3_BLOCK], at[2 * N3_BLOCK]);
+        }
+    return x;
+}
+
+/* Blocks have the same bits, of some patches and of so many that they are written past the caches,
+   from any address; the last patch fills the last block. */
+static void check_blocks(const n3_patch *p, int first, int last, int level, size_t skip, long row)
+{
+    size_t size = (size_t)(level + 1) * (size_t)(level + 2) / 2, each = size * sizeof(n3_vec);
+    int call, f, count = last - first, whole = (count + N3_BLOCK - 1) / N3_BLOCK * N3_BLOCK;
+    size_t end = skip + 3 * size * (size_t)whole, room = end + 2 * N3I_LINE;
+    n3_vec *x = memory((size_t)count, each);
+    for (call = 0; call < 2; call++) {
+        n3_real *out = guarded(room);
+        n3_vec *got;
+        calls[call].in_rows(p, first, last, level, x);
+        calls[call].in_blocks(p, first, last, level, out + skip);
+        check_guards(out, skip, end, room, row);
+        got = unblocked(out + skip, whole, size);
+        if (CONTRACTED) check_lattices(call, p + first, count, level, got, row);
+        for (f = CONTRACTED ? count : 0; f < whole; f++) {
+            const n3_vec *want = CONTRACTED ? got : x;
+            want += (size_t)(f < count ? f : count - 1) * size;
+            CHECK(memcmp(got + (size_t)f * size, want, each) == 0, row);
+        }
+        free(out);
+        free(got);
+    }
+    free(x);
+}
+
+static void lattice_blocks(void)
+{
+    long row, rows = sample_count(60);
+    n3_patch p[2 * PATCHES];
+    for (row = 0; row < rows; row++) {
+        int first = (int)(row % 2) * N3_BLOCK, last = first + 1 + (int)(row % PATCHES);
+        make_patches(row, p);
+        make_patches(row + 1, p + PATCHES);
+        check_blocks(p, first, last, levels[row % LEVELS], (size_t)row % N3I_LINE, row);
+    }
+    check_blocks(p, 0, PATCHES, N3I_ROW + 9, 0, rows);
+}
+
+/* Patches of SEVERAL kinds, so many that their lattices are written past the caches: as one at a
+   time, from any address, whatever is left over, and nothing but them. */
+enum { SEVERAL = 10 * PATCHES };
+
+static void check_past(int call, const n3_patch *some, int level, long row)
+{
+    size_t each = 3 * (size_t)(level + 1) * (size_t)(level + 2) / 2, skip = (size_t)row;
+    int i, count = (int)(N3I_FAR / sizeof(n3_real) / each) + 1 + 37 * (int)row;
+    size_t last = skip + each * (size_t)count, room = last + 2 * N3I_LINE;
+    n3_patch *p = memory((size_t)count, sizeof *p);
+    n3_real *one = memory(SEVERAL * each, sizeof *one), *out = guarded(room);
+    for (i = 0; i < count; i++) p[i] = some[i % SEVERAL];
+    for (i = 0; i < SEVERAL; i++)
+        calls[call].in_rows(some, i, i + 1, level, (n3_vec *)(void *)(one + each * (size_t)i));
+    calls[call].in_rows(p, 0, count, level, (n3_vec *)(void *)(out + skip));
+    check_guards(out, skip, last, room, row);
+    for (i = 0; i < count; i++)
+        CHECK(memcmp(out + skip + each * (size_t)i, one + each * (size_t)(i % SEVERAL),
+                     each * sizeof *one) == 0, i);
+    if (level == 8) check_blocks(p, 0, count, level, row == 3 ? 0 : N3I_LINE / 4, row);
+    free(out);
+    free(one);
+    free(p);
+}
+
+static void lattices_past_the_caches(void)
+{
+    static const int level[] = {1, 2, 5, 8, 8, N3I_ROW + 9};
+    static n3_patch some[SEVERAL];
+    int i;
+    for (i = 0; i < SEVERAL; i += PATCHES) make_patches(i / PATCHES, some + i);
+    for (i = 0; i < 6; i++) check_past(i % 2, some, level[i], i);
+}
+
 const test_case tests_batch[] = {{"lattice_points", lattice_points},
-                                 {"lattices_beyond_a_cache", lattices_beyond_a_cache},
+                                 {"lattices_past_the_caches", lattices_past_the_caches},
+                                 {"long_rows", long_rows},
+                                 {"lattice_blocks", lattice_blocks},
                                  {"lattice_normals", lattice_normals},
                                  {"lattice_sides_agree", lattice_sides_agree},
                                  {"ranges", ranges},
