@@ -102,6 +102,18 @@ static void normals(int first, int last)
     n3_lattice_normals(now_on->patch, first, last, LEVEL, out_normals(first));
 }
 
+/* In as much room. */
+static void point_blocks(int first, int last)
+{
+    n3_lattice_point_blocks(now_on->patch, first, last, LEVEL, &out_points(first)->x);
+}
+
+static void points_normals_blocks(int first, int last)
+{
+    point_blocks(first, last);
+    n3_lattice_normal_blocks(now_on->patch, first, last, LEVEL, &out_normals(first)->x);
+}
+
 static void points_normals(int first, int last)
 {
     points(first, last);
@@ -192,6 +204,9 @@ static const item items[] = {
     {"lattice points", "point", points, naive_points, POINTS, VEC, 1, {5.3, 4.0}},
     {"lattice points and normals", "point", points_normals, naive_points_normals, POINTS, 2 * VEC,
      1, {15.7, 13.4}},
+    {"point blocks", "point", point_blocks, naive_points, POINTS, VEC, 1, {5.3, 4.0}},
+    {"point and normal blocks", "point", points_normals_blocks, naive_points_normals, POINTS,
+     2 * VEC, 1, {15.7, 13.4}},
     {"lattice triangles", "triangle", indices, NULL, SUBS, 3 * sizeof(int), 0, {0, 0}},
     {"points normals triangles", "triangle", whole_mesh, naive_points_normals, SUBS,
      (2 * VEC * POINTS + 3 * SUBS * (int)sizeof(int)) / SUBS, 1, {0, 0}},
@@ -203,10 +218,11 @@ enum { ITEMS = sizeof items / sizeof *items };
 
 /* ---- The meshes ---- */
 
+/* From a line of the caches on. */
 static void *room(size_t size)
 {
-    void *p = malloc(size);
-    if (!p) {
+    void *p;
+    if (posix_memalign(&p, 64, size)) {
         fprintf(stderr, "bench: out of memory\n");
         exit(1);
     }
