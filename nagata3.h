@@ -2898,12 +2898,12 @@ N3I_WIDE_API void n3i_write(n3i_sink *s, int end, int past)
 NAGATA3_API n3_real *n3i_flush(n3i_sink *s, const n3_real *at, int all)
 {
     n3_real *start = (n3_real *)(void *)s->held;
-    int last = (int)(at - start) / N3I_WIDTH, end = last / s->unit * s->unit;
+    int i, last = (int)(at - start) / N3I_WIDTH, end = last / s->unit * s->unit;
     if (s->begin % s->unit != 0 && end > 0) n3i_write(s, s->unit, 0);
     if (s->begin < end && s->past) n3i_write(s, end, 1);
     if (s->begin < end) n3i_write(s, end, 0);
     if (s->begin < last && all) n3i_write(s, last, 0);
-    memmove(s->held, s->held + end, (size_t)(last - end) * sizeof *s->held);
+    for (i = 0; i < last - end; i++) s->held[i] = s->held[end + i];
     s->begin -= end;
     return start + (last - end) * N3I_WIDTH;
 }
@@ -2992,7 +2992,7 @@ enum { N3I_WEIGHTS = 33 };
 NAGATA3_API void n3i_all_weights(int level, n3i_wide_weights w[N3I_WEIGHTS])
 {
     int i;
-    for (i = 0; i <= level && level < N3I_WEIGHTS; i++)
+    for (i = 0; i <= level && i < N3I_WEIGHTS; i++)
         w[i] = n3i_wide_weights_at(n3i_wide_of((n3_real)i / (n3_real)level));
 }
 
@@ -3045,9 +3045,12 @@ N3I_WIDE_API void n3i_wide_centred(const n3i_wide_vec q[10], int level, n3i_wide
     n3i_wide_vec a[2], b[2], d[2], w;
     n3i_wide_powers(q, 1 / (2 * (n3_real)level), c);
     w = c[1];
-    a[0] = n3i_wide_add(c[7], c[2]), a[1] = n3i_wide_sub(c[7], c[2]);
-    b[0] = n3i_wide_add(c[9], c[3]), b[1] = n3i_wide_sub(c[9], c[3]);
-    d[0] = n3i_wide_add(c[8], c[6]), d[1] = n3i_wide_sub(c[8], c[6]);
+    a[0] = n3i_wide_add(c[7], c[2]);
+    a[1] = n3i_wide_sub(c[7], c[2]);
+    b[0] = n3i_wide_add(c[9], c[3]);
+    b[1] = n3i_wide_sub(c[9], c[3]);
+    d[0] = n3i_wide_add(c[8], c[6]);
+    d[1] = n3i_wide_sub(c[8], c[6]);
     c[1] = n3i_wide_sub(c[4], w);
     c[2] = n3i_wide_sub(a[0], c[5]);
     c[3] = n3i_wide_sub(b[1], d[1]);
@@ -3262,7 +3265,7 @@ NAGATA3_API void n3i_lattices(const n3_patch *patch, int lanes, int part, int le
     n3i_mask ok[N3I_PART];
     int i, k;
     sink.past = past;
-    sink.unit = past ? N3I_LINE : N3I_WIDTH;
+    sink.unit = past ? (int)N3I_LINE : (int)N3I_WIDTH;
     sink.begin = part > 1 ? (int)((size_t)out / sizeof *out % (size_t)sink.unit) : 0;
     sink.at = blocks ? out : (n3_real *)(void *)(sink.held + sink.begin);
     for (i = 0; i < N3I_WIDTH; i++) {
@@ -3298,7 +3301,7 @@ NAGATA3_API void n3i_lattice_range(const n3_patch *patch, int first, int last, i
     int past = (size_t)(last - first) > N3I_FAR / sizeof *out / size;
     int part = past ? (int)N3I_PART : (int)N3I_WIDTH, lanes = N3I_WIDTH;
     n3i_wide_weights w[N3I_WEIGHTS];
-    n3i_all_weights(what == N3I_POINTS ? level : -1, w);
+    n3i_all_weights(level, w);
     while (first < last) {
         while (part > 1 && last - first < part * lanes) part = part > N3I_LINE ? (int)N3I_LINE : 1;
         if (last - first < lanes) lanes = last - first;
@@ -3316,7 +3319,7 @@ NAGATA3_API void n3i_block_range(const n3_patch *patch, int first, int last, int
     size_t size = 3 * (size_t)n3i_inside(level + 3);
     int past = (size_t)(last - first) > N3I_FAR / sizeof *out / size, i;
     n3i_wide_weights w[N3I_WEIGHTS];
-    n3i_all_weights(what == N3I_POINTS ? level : -1, w);
+    n3i_all_weights(level, w);
     past = past && (int)N3I_WIDTH == N3_BLOCK && (size_t)out % sizeof(n3i_wide) == 0;
     for (; first < last; first += N3_BLOCK, out += N3_BLOCK * size)
         for (i = 0; i < N3_BLOCK; i += N3I_WIDTH) {
