@@ -2904,7 +2904,7 @@ NAGATA3_API n3_real *n3i_flush(n3i_sink *s, const n3_real *at, int all)
     if (s->begin < end) n3i_write(s, end, 0);
     if (s->begin < last && all) n3i_write(s, last, 0);
     for (i = 0; i < last - end; i++) s->held[i] = s->held[end + i];
-    s->begin -= end;
+    s->begin = 0;
     return start + (last - end) * N3I_WIDTH;
 }
 
@@ -3073,9 +3073,8 @@ N3I_WIDE_API n3i_wide n3i_wide_inverse_size(const n3i_wide_vec q[10], n3i_mask *
         size += n3i_wide_dot(d, d);
     }
     some = (n3i_mask)(size > 0);
-    size = 1 / n3i_wide_sqrt(n3i_pick(some, size, n3i_wide_of(1)));
-    *ok &= some & (n3i_mask)(size > 0); /* finite */
-    return size;
+    *ok &= some;
+    return 1 / n3i_wide_sqrt(n3i_pick(some, size, n3i_wide_of(1)));
 }
 
 /* In a patch of this size 1 a product du x dv that is longer makes the normal: its direction has
