@@ -699,7 +699,7 @@ static void check_field(int degree, rng *r)
     enum { LEVEL = 4 };
     shape s = shape_soup(9, 8, r);
     built b;
-    int i, k, nodes, points, *parent, used[400] = {0};
+    int i, k, nodes, points = 0, *parent, used[400] = {0};
     n3_vec place[200];
     n3_real nodal[400], *uv, *out;
     for (i = 0; i < s.points; i++) s.point[i].z = 0;
