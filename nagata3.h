@@ -401,24 +401,33 @@ NAGATA3_API n3_real n3i_largest(n3_vec a)
 
 NAGATA3_API int n3i_is_zero(n3_vec a) { return n3i_abs(a.x) + n3i_abs(a.y) + n3i_abs(a.z) <= 0; }
 
-NAGATA3_API n3_real n3_len(n3_vec a)
-{
-    n3_real s = n3i_largest(a);
-    if (!(s > 0)) return s + a.x + a.y + a.z; /* 0, or NaN */
-    a = n3i_over(a, s);
-    return s * n3i_sqrt(n3_dot(a, a));
-}
+/* Of these squares of a length none overflowed, and what underflowed in them is rounding. */
+#define N3I_LEAST_SQUARE (N3I_PICK((n3_real)1e-290, (n3_real)1e-30))
+#define N3I_MOST_SQUARE  (N3I_PICK((n3_real)1e+300, (n3_real)1e+37))
 
-/* n3_unit and n3_len of one vector. */
+/* n3_unit and n3_len of one vector. Where its square is too small or too large the length is
+   brought near 1 by a power of two, which changes no digit. */
 NAGATA3_API n3_vec n3i_direction(n3_vec a, n3_real *length)
 {
-    n3_real s = n3i_largest(a), r;
-    *length = s + a.x + a.y + a.z; /* 0, or NaN */
-    if (!(s > 0)) return n3_mul(*length, a);
-    a = n3i_over(a, s);
-    r = n3i_sqrt(n3_dot(a, a));
-    *length = s * r;
-    return n3i_over(a, r);
+    n3_real aa = n3_dot(a, a), r;
+    int k = 0;
+    if (!(aa > N3I_LEAST_SQUARE && aa < N3I_MOST_SQUARE)) {
+        frexp((double)n3i_largest(a), &k);
+        a.x = (n3_real)ldexp((double)a.x, -k);
+        a.y = (n3_real)ldexp((double)a.y, -k);
+        a.z = (n3_real)ldexp((double)a.z, -k);
+        aa = n3_dot(a, a);
+    }
+    r = n3i_sqrt(aa);
+    *length = k == 0 ? r : (n3_real)ldexp((double)r, k);
+    return r > 0 ? n3i_over(a, r) : n3_mul(r, a); /* 0, or NaN */
+}
+
+NAGATA3_API n3_real n3_len(n3_vec a)
+{
+    n3_real length;
+    n3i_direction(a, &length);
+    return length;
 }
 
 NAGATA3_API n3_vec n3_unit(n3_vec a)
@@ -2168,17 +2177,14 @@ N3I_WIDE_API n3i_wide n3i_wide_largest(n3i_wide_vec a)
                            n3i_wide_abs(a.z));
 }
 
-/* n3_unit and n3_len of a lane that has a length; the others are not ok. */
+/* n3_unit and n3_len of a lane whose square neither overflows nor underflows; the others are not
+   ok. */
 N3I_WIDE_API n3i_wide_vec n3i_wide_unit(n3i_wide_vec a, n3i_wide *length, n3i_mask *ok)
 {
-    n3i_wide s = n3i_wide_largest(a), r;
-    n3i_mask some = (n3i_mask)(s > 0);
-    *ok &= some;
-    s = n3i_pick(some, s, n3i_wide_of(1));
-    a = n3i_wide_over(a, s);
-    r = n3i_wide_sqrt(n3i_wide_dot(a, a));
-    *length = s * r;
-    return n3i_wide_over(a, n3i_pick(some, r, n3i_wide_of(1)));
+    n3i_wide aa = n3i_wide_dot(a, a);
+    *ok &= (n3i_mask)(aa > N3I_LEAST_SQUARE) & (n3i_mask)(aa < N3I_MOST_SQUARE);
+    *length = n3i_wide_sqrt(n3i_wide_larger(n3i_wide_of(N3I_LEAST_SQUARE), aa));
+    return n3i_wide_over(a, *length);
 }
 
 /* n3i_upright of a lane whose n is neither zero nor along e. */
@@ -2584,7 +2590,7 @@ NAGATA3_API void n3i_fit_chord(n3_vertex p, n3_vertex q, const n3_vec frame[2], 
         for (k = 0; k < 5; k++) A[i][k] += row[i] * row[k];
 }
 
-/* The second unknown of four; the ridge keeps the pivots above zero, but where all is zero. With
+/* The second unknown of four; the ridge keeps the pivots above zero, but where all underflows. With
    1e-3 it would hold the normals on a saddle to second order; with 1e-5 it fails on stretched
    meshes. The right sides take n0 + n1 as it stands, not made unit, so that a chord over which the
    normals turn far counts less. */
@@ -2593,7 +2599,7 @@ NAGATA3_API n3_real n3i_fit_solve(n3_real A[4][5])
     static const int order[4] = {0, 2, 3, 1};
     n3_real trace = A[0][0] + A[1][1] + A[2][2] + A[3][3];
     int i, j, k;
-    if (!(trace > 0)) return 0;
+    if (!(trace > N3I_LEAST_SQUARE)) return 0;
     for (i = 0; i < 4; i++) A[i][i] += trace / 4 / 10000;
     for (i = 0; i < 3; i++)
         for (j = i + 1; j < 4; j++) {
