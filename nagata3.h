@@ -289,14 +289,14 @@ NAGATA3_API n3_patch n3_patch2_raise(const n3_patch2 *q);
    of the planes through the chord perpendicular to the tangent planes (countermeasure 1, section
    4.2). From the other end it is the same up to sign. An end whose normal is zero or lies along
    the chord leaves the plane to the other; both: no plane, the zero vector.
-   4 square roots, 24 divisions. */
+   4 square roots, 12 divisions. */
 NAGATA3_API n3_vec n3_curve_plane(n3_vertex a, n3_vertex b);
 
 /* The cubic edge from a to b: (5.1.13) (5.1.14), or the arc rule.
    Exactly n3_edge_reverse of the edge from b to a. Tangent to both tangent planes to 8 ulp, but at
    an end that counts as along the chord, whose tangent is square to the chord. No handle is longer
    than 4/3 of the chord (arc: 2/3, to rounding), whatever the normals.
-   170 flops, 36 divisions, 6 square roots; arc: 130, 22, 3. */
+   220 flops, 15 divisions, 5 square roots; arc: 130, 10, 2. */
 NAGATA3_API n3_edge n3_edge_make(n3_vertex a, n3_vertex b, const n3_options *o);
 
 /* Point of the curve at t, any real; in [0, 1] it runs from p[0] to p[3]: (5.1.1).
@@ -335,7 +335,7 @@ NAGATA3_API n3_patch n3_patch_from_edges(const n3_edge *ab, const n3_edge *bc, c
 
 /* The patch over the triangle a, b, c: three edges and a centre by the rule. A patch alone has no
    neighbours to fit to: N3_RULE_FIT is the arc rule here. Corners given in another order give the
-   same edges, bit for bit, and the same centre to 4 ulp (arc: 8). 550 flops, 114 divisions, 18
+   same edges, bit for bit, and the same centre to 4 ulp (arc: 8). 700 flops, 48 divisions, 15
    square roots. */
 NAGATA3_API n3_patch n3_patch_make(n3_vertex a, n3_vertex b, n3_vertex c, const n3_options *o);
 
@@ -360,7 +360,7 @@ NAGATA3_API n3_jet n3_patch_jet(const n3_patch *p, n3_real u, n3_real v);
 /* Unit normal of the surface, along du x dv: it looks to the side from which a, b, c run
    counterclockwise. Where du x dv vanishes, as at a collapsed side, the limit on the way from the
    centroid; failing that the triangle's normal, then the normal of the net, then zero. Outside the
-   triangle rounding may pass for a normal. 380 flops, 45 divisions, 4 square roots. */
+   triangle rounding may pass for a normal. 380 flops, 36 divisions, 4 square roots. */
 NAGATA3_API n3_vec n3_patch_normal(const n3_patch *p, n3_real u, n3_real v);
 
 /* ---- Definitions: vectors ---- */
@@ -590,8 +590,7 @@ NAGATA3_API n3_vec n3i_plane(n3_vec d, n3_vec n0, n3_vec n1)
 
 NAGATA3_API n3_vec n3_curve_plane(n3_vertex a, n3_vertex b)
 {
-    int k;
-    return n3i_plane(n3i_fair(n3_sub(b.x, a.x), &k), a.n, b.n);
+    return n3i_plane(n3_unit(n3_sub(b.x, a.x)), a.n, b.n);
 }
 
 /* An end of an edge: the tangent of its angle to the chord, clamped, and its handle but for the
@@ -2702,6 +2701,7 @@ NAGATA3_API n3_vec n3i_side_mid(const n3_mesh *m, const n3_topology *t, int s)
                               n3i_corner(m, n3i_after(n3i_after(two[!back]))));
 }
 
+/* The centre by the arc rules. */
 NAGATA3_API n3_vec n3i_mesh_centre(const n3_mesh *m, const n3_topology *t, const n3_options *o,
                                    const n3_vec *net, int triangle)
 {
@@ -2710,8 +2710,7 @@ NAGATA3_API n3_vec n3i_mesh_centre(const n3_mesh *m, const n3_topology *t, const
     n3_vec n[3], mid[3];
     int i, node[10];
     n3_mesh_patch_nodes(m, t, triangle, node);
-    if (!n3i_is_arc(o)) return n3i_centre(net, node);
-    for (i = 0; i < 10; i++) p.p[i] = net[node[i]];
+    for (i = 0; i < 9; i++) p.p[i] = net[node[i]];
     n3_patch_edges(&p, e);
     for (i = 0; i < 3; i++) n[i] = n3i_corner_normal(m, 3 * triangle + i);
     if (o->rule != N3_RULE_FIT) return n3_patch_centre_arc(&e[0], &e[1], &e[2], n, NULL);
@@ -2895,11 +2894,13 @@ NAGATA3_API void n3_mesh_centres(const n3_mesh *m, const n3_topology *t, const n
                                  int first, int last, n3_vec *net)
 {
     n3_vec *centre = net + m->points + 2 * t->edges;
-    if (first >= last) return;
-    memset(centre + first, 0, (size_t)(last - first) * sizeof *centre); /* they are read */
+    int node[10];
     for (; n3i_is_arc(o) && first < last; first += N3I_WIDTH)
         n3i_arc_centres(m, t, o, first, last - first < N3I_WIDTH ? last : first + N3I_WIDTH, net);
-    for (; first < last; first++) centre[first] = n3i_mesh_centre(m, t, o, net, first);
+    for (; first < last; first++) {
+        n3_mesh_patch_nodes(m, t, first, node);
+        centre[first] = n3i_centre(net, node);
+    }
 }
 
 NAGATA3_API int n3_mesh_nodes(const n3_mesh *m, const n3_topology *t)
