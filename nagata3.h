@@ -360,7 +360,7 @@ NAGATA3_API n3_jet n3_patch_jet(const n3_patch *p, n3_real u, n3_real v);
 /* Unit normal of the surface, along du x dv: it looks to the side from which a, b, c run
    counterclockwise. Where du x dv vanishes, as at a collapsed side, the limit on the way from the
    centroid; failing that the triangle's normal, then the normal of the net, then zero. Outside the
-   triangle rounding may pass for a normal. 380 flops, 36 divisions, 4 square roots. */
+   triangle rounding may pass for a normal. 380 flops, 33 divisions, 4 square roots. */
 NAGATA3_API n3_vec n3_patch_normal(const n3_patch *p, n3_real u, n3_real v);
 
 /* ---- Definitions: vectors ---- */
@@ -402,38 +402,29 @@ NAGATA3_API n3_real n3i_largest(n3_vec a)
 NAGATA3_API int n3i_is_zero(n3_vec a) { return n3i_abs(a.x) + n3i_abs(a.y) + n3i_abs(a.z) <= 0; }
 
 /* Of such squares of a length none overflowed, and what underflowed in them, or does when they are
-   multiplied by N3_ALONG^2, is rounding. */
+   multiplied by N3_ALONG^2, is rounding. The power, of two, makes any other square such a one. */
 #define N3I_LEAST_SQUARE (N3I_PICK((n3_real)1e-260, (n3_real)1e-24))
 #define N3I_MOST_SQUARE  (N3I_PICK((n3_real)1e+300, (n3_real)1e+37))
+#define N3I_POWER        (N3I_PICK((n3_real)4.562440617622195e192, (n3_real)1.2676506002282294e30))
 
-/* 2^k a; no digit changes, but where it underflows. */
-NAGATA3_API n3_vec n3i_scaled(n3_vec a, int k)
-{
-    if (k == 0) return a;
-    a.x = (n3_real)ldexp((double)a.x, k);
-    a.y = (n3_real)ldexp((double)a.y, k);
-    a.z = (n3_real)ldexp((double)a.z, k);
-    return a;
-}
-
-/* a, or where its square is too small or too large, 2^-k a of a size near 1. */
-NAGATA3_API n3_vec n3i_fair(n3_vec a, int *k)
+/* a / *scale, *scale a power of two, 1 unless the square of a is too small or too large. */
+NAGATA3_API n3_vec n3i_fair(n3_vec a, n3_real *scale)
 {
     n3_real aa = n3_dot(a, a);
-    *k = 0;
+    int is_small = n3i_largest(a) < 1;
+    *scale = 1;
     if (aa > N3I_LEAST_SQUARE && aa < N3I_MOST_SQUARE) return a;
-    frexp((double)n3i_largest(a), k);
-    return n3i_scaled(a, -*k);
+    *scale = is_small ? 1 / N3I_POWER : N3I_POWER;
+    return n3_mul(is_small ? N3I_POWER : 1 / N3I_POWER, a);
 }
 
 /* n3_unit and n3_len of one vector. */
 NAGATA3_API n3_vec n3i_direction(n3_vec a, n3_real *length)
 {
-    n3_real r;
-    int k;
-    a = n3i_fair(a, &k);
+    n3_real scale, r;
+    a = n3i_fair(a, &scale);
     r = n3i_sqrt(n3_dot(a, a));
-    *length = k == 0 ? r : (n3_real)ldexp((double)r, k);
+    *length = scale * r;
     return r > 0 ? n3i_over(a, r) : n3_mul(r, a); /* 0, or NaN */
 }
 
@@ -634,14 +625,14 @@ NAGATA3_API n3_edge n3i_edge_straight(n3_vec x0, n3_vec x1)
    comes down. */
 NAGATA3_API n3_edge n3i_edge_paper(n3_vertex v0, n3_vertex v1, const n3_options *o)
 {
-    int k;
-    n3_vec d = n3i_fair(n3_sub(v1.x, v0.x), &k), b = n3_cross(n3i_plane(d, v0.n, v1.n), d);
+    n3_real scale;
+    n3_vec d = n3i_fair(n3_sub(v1.x, v0.x), &scale), b = n3_cross(n3i_plane(d, v0.n, v1.n), d);
     n3i_end s = n3i_end_make(v0.n, d, b, o), t = n3i_end_make(v1.n, d, b, o);
     n3_vec ds, de, up = n3_mul((n3_real)4 / 3, b);
     if (n3i_is_zero(s.reach)) s.reach = n3_dot(t.reach, b) > 0 ? n3i_neg(up) : up;
     if (n3i_is_zero(t.reach)) t.reach = n3_dot(s.reach, b) < 0 ? up : n3i_neg(up);
-    ds = n3i_scaled(n3i_handle(s, t), k);                                          /* (5.1.13) */
-    de = n3i_scaled(n3i_handle(t, s), k);                                          /* (5.1.14) */
+    ds = n3_mul(scale, n3i_handle(s, t));                                          /* (5.1.13) */
+    de = n3_mul(scale, n3i_handle(t, s));                                          /* (5.1.14) */
     return n3i_edge_of(v0.x, n3_add(v0.x, ds), n3_sub(v1.x, de), v1.x);
 }
 
@@ -694,8 +685,8 @@ NAGATA3_API int n3i_is_arc(const n3_options *o)
 NAGATA3_API n3_edge n3i_edge_sorted(n3_vertex a, n3_vertex b, const n3_options *given)
 {
     n3_options o = n3i_defaults(given);
-    int k;
-    n3_vec d = n3i_fair(n3_sub(b.x, a.x), &k);
+    n3_real scale;
+    n3_vec d = n3i_fair(n3_sub(b.x, a.x), &scale);
     if (n3i_is_zero(a.n)) a.n = n3i_across(b.n, n3_unit(d));
     else if (n3i_is_zero(b.n)) b.n = n3i_across(a.n, n3_unit(d));
     if (n3i_is_along(d, a.n) && n3i_is_along(d, b.n)) return n3i_edge_straight(a.x, b.x);
@@ -2726,7 +2717,7 @@ typedef n3_real n3i_rows[3][N3I_BLOCK];
 typedef struct n3i_block {
     n3i_rows x[2], n[2], b, p[2];
     int point[2][N3I_BLOCK], normal[2][N3I_BLOCK], same[N3I_BLOCK];
-    n3i_mask ok[N3I_BLOCK / N3I_WIDTH];
+    n3i_mask ok[(int)N3I_BLOCK / (int)N3I_WIDTH];
 } n3i_block;
 
 N3I_WIDE_API n3i_wide_vec n3i_from_rows(n3i_rows row, int first)
