@@ -2241,9 +2241,11 @@ typedef struct n3i_wide_end { n3i_wide_vec reach; n3i_wide tan; } n3i_wide_end;
 N3I_WIDE_API n3i_wide_end n3i_wide_end_make(n3i_wide_vec n, n3i_wide_vec d, n3i_wide_vec b,
                                             const n3_options *o)
 {
-    n3i_wide s = n3i_wide_dot(n, d) / n3i_wide_dot(n, b), size = n3i_wide_abs(s);
     n3i_wide third = n3i_wide_of((n3_real)1 / 3), high = n3i_wide_of(o->tan_hi), stretch;
+    n3i_wide nd = n3i_wide_dot(n, d), nb = n3i_wide_dot(n, b), s, size;
     n3i_wide_end t;
+    s = nd / n3i_pick((n3i_mask)(nb * nb > 0), nb, n3i_wide_of(1));
+    size = n3i_wide_abs(s);
     t.tan = n3i_pick((n3i_mask)(size < high), size, high);                         /* (5.1.12) */
     t.tan = n3i_wide_larger(t.tan, n3i_wide_of(o->tan_lo));                        /* (5.1.11) */
     stretch = 4 * third / n3i_wide_sqrt(1 + s * s);
@@ -2709,9 +2711,10 @@ NAGATA3_API n3_vec n3i_mesh_centre(const n3_mesh *m, const n3_topology *t, const
     return n3_patch_centre_arc(&e[0], &e[1], &e[2], n, mid);
 }
 
-/* Edges on their way through wide numbers, a row for each number: v, x and n of the lower point, then
-   of the higher; b across the chord; p, the control point next to the one, then to the other. same:
-   the triangles name the same normals. ok: not what the plain form must do. */
+/* Edges on their way through wide numbers, a row for each number: x and n of the lower point, then of
+   the higher, from either of which the rules give the same bits; b, across the chord and as long; p,
+   the control point next to the one, then to the other. same: the triangles name the same normals.
+   ok: the lanes that need no plain form. */
 enum { N3I_BLOCK = 32 };
 typedef n3_real n3i_rows[3][N3I_BLOCK];
 typedef struct n3i_block {
@@ -2786,7 +2789,8 @@ NAGATA3_API void n3i_block_normals(n3i_block *block, int count)
     }
 }
 
-/* What the paper's rule needs first. The processor does several of such short runs at a time. */
+/* What the paper's rule needs first: two short loops, of which the processor does several rounds at
+   once, and not one long one. */
 NAGATA3_API void n3i_block_across(n3i_block *block, int count)
 {
     int i;
@@ -2884,13 +2888,12 @@ NAGATA3_API void n3i_arc_centres(const n3_mesh *m, const n3_topology *t, const n
 NAGATA3_API void n3_mesh_centres(const n3_mesh *m, const n3_topology *t, const n3_options *o,
                                  int first, int last, n3_vec *net)
 {
-    n3_vec *centre = net + m->points + 2 * t->edges;
     int node[10];
     for (; n3i_is_arc(o) && first < last; first += N3I_WIDTH)
         n3i_arc_centres(m, t, o, first, last - first < N3I_WIDTH ? last : first + N3I_WIDTH, net);
     for (; first < last; first++) {
         n3_mesh_patch_nodes(m, t, first, node);
-        centre[first] = n3i_centre(net, node);
+        net[node[9]] = n3i_centre(net, node);
     }
 }
 
