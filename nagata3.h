@@ -289,14 +289,14 @@ NAGATA3_API n3_patch n3_patch2_raise(const n3_patch2 *q);
    of the planes through the chord perpendicular to the tangent planes (countermeasure 1, section
    4.2). From the other end it is the same up to sign. An end whose normal is zero or lies along
    the chord leaves the plane to the other; both: no plane, the zero vector.
-   4 square roots, 24 divisions. */
+   4 square roots, 12 divisions. */
 NAGATA3_API n3_vec n3_curve_plane(n3_vertex a, n3_vertex b);
 
 /* The cubic edge from a to b: (5.1.13) (5.1.14), or the arc rule.
    Exactly n3_edge_reverse of the edge from b to a. Tangent to both tangent planes to 8 ulp, but at
    an end that counts as along the chord, whose tangent is square to the chord. No handle is longer
    than 4/3 of the chord (arc: 2/3, to rounding), whatever the normals.
-   170 flops, 36 divisions, 6 square roots; arc: 130, 22, 3. */
+   220 flops, 15 divisions, 5 square roots; arc: 130, 10, 2. */
 NAGATA3_API n3_edge n3_edge_make(n3_vertex a, n3_vertex b, const n3_options *o);
 
 /* Point of the curve at t, any real; in [0, 1] it runs from p[0] to p[3]: (5.1.1).
@@ -335,7 +335,7 @@ NAGATA3_API n3_patch n3_patch_from_edges(const n3_edge *ab, const n3_edge *bc, c
 
 /* The patch over the triangle a, b, c: three edges and a centre by the rule. A patch alone has no
    neighbours to fit to: N3_RULE_FIT is the arc rule here. Corners given in another order give the
-   same edges, bit for bit, and the same centre to 4 ulp (arc: 8). 550 flops, 114 divisions, 18
+   same edges, bit for bit, and the same centre to 4 ulp (arc: 8). 700 flops, 48 divisions, 15
    square roots. */
 NAGATA3_API n3_patch n3_patch_make(n3_vertex a, n3_vertex b, n3_vertex c, const n3_options *o);
 
@@ -360,7 +360,7 @@ NAGATA3_API n3_jet n3_patch_jet(const n3_patch *p, n3_real u, n3_real v);
 /* Unit normal of the surface, along du x dv: it looks to the side from which a, b, c run
    counterclockwise. Where du x dv vanishes, as at a collapsed side, the limit on the way from the
    centroid; failing that the triangle's normal, then the normal of the net, then zero. Outside the
-   triangle rounding may pass for a normal. 380 flops, 45 divisions, 4 square roots. */
+   triangle rounding may pass for a normal. 380 flops, 33 divisions, 4 square roots. */
 NAGATA3_API n3_vec n3_patch_normal(const n3_patch *p, n3_real u, n3_real v);
 
 /* ---- Definitions: vectors ---- */
@@ -401,24 +401,38 @@ NAGATA3_API n3_real n3i_largest(n3_vec a)
 
 NAGATA3_API int n3i_is_zero(n3_vec a) { return n3i_abs(a.x) + n3i_abs(a.y) + n3i_abs(a.z) <= 0; }
 
-NAGATA3_API n3_real n3_len(n3_vec a)
+/* Of such squares of a length none overflowed, and what underflowed in them, or does when they are
+   multiplied by N3_ALONG^2, is rounding. The power, of two, makes any other square such a one. */
+#define N3I_LEAST_SQUARE (N3I_PICK((n3_real)1e-260, (n3_real)1e-24))
+#define N3I_MOST_SQUARE  (N3I_PICK((n3_real)1e+300, (n3_real)1e+37))
+#define N3I_POWER        (N3I_PICK((n3_real)4.562440617622195e192, (n3_real)1.2676506002282294e30))
+
+/* a / *scale, *scale a power of two, 1 unless the square of a is too small or too large. */
+NAGATA3_API n3_vec n3i_fair(n3_vec a, n3_real *scale)
 {
-    n3_real s = n3i_largest(a);
-    if (!(s > 0)) return s + a.x + a.y + a.z; /* 0, or NaN */
-    a = n3i_over(a, s);
-    return s * n3i_sqrt(n3_dot(a, a));
+    n3_real aa = n3_dot(a, a);
+    int is_small = n3i_largest(a) < 1;
+    *scale = 1;
+    if (aa > N3I_LEAST_SQUARE && aa < N3I_MOST_SQUARE) return a;
+    *scale = is_small ? 1 / N3I_POWER : N3I_POWER;
+    return n3_mul(is_small ? N3I_POWER : 1 / N3I_POWER, a);
 }
 
 /* n3_unit and n3_len of one vector. */
 NAGATA3_API n3_vec n3i_direction(n3_vec a, n3_real *length)
 {
-    n3_real s = n3i_largest(a), r;
-    *length = s + a.x + a.y + a.z; /* 0, or NaN */
-    if (!(s > 0)) return n3_mul(*length, a);
-    a = n3i_over(a, s);
+    n3_real scale, r;
+    a = n3i_fair(a, &scale);
     r = n3i_sqrt(n3_dot(a, a));
-    *length = s * r;
-    return n3i_over(a, r);
+    *length = scale * r;
+    return r > 0 ? n3i_over(a, r) : n3_mul(r, a); /* 0, or NaN */
+}
+
+NAGATA3_API n3_real n3_len(n3_vec a)
+{
+    n3_real length;
+    n3i_direction(a, &length);
+    return length;
 }
 
 NAGATA3_API n3_vec n3_unit(n3_vec a)
@@ -427,18 +441,18 @@ NAGATA3_API n3_vec n3_unit(n3_vec a)
     return n3i_direction(a, &length);
 }
 
-/* True if n is zero or lies along the unit vector e. */
-NAGATA3_API int n3i_is_along(n3_vec e, n3_vec n)
+/* True if n is zero or lies along d. */
+NAGATA3_API int n3i_is_along(n3_vec d, n3_vec n)
 {
-    n3_vec m = n3_cross(e, n);
-    return n3_dot(m, m) <= N3_ALONG * N3_ALONG;
+    n3_vec m = n3_cross(d, n);
+    return n3_dot(m, m) <= N3_ALONG * N3_ALONG * n3_dot(d, d);
 }
 
-/* e x n, unit: the normal of the plane through the unit chord e perpendicular to the tangent plane
-   of n. Zero when n is zero or lies along e. */
-NAGATA3_API n3_vec n3i_upright(n3_vec e, n3_vec n)
+/* d x n, unit: the normal of the plane through the chord d perpendicular to the tangent plane of n.
+   Zero when n is zero or lies along d. */
+NAGATA3_API n3_vec n3i_upright(n3_vec d, n3_vec n)
 {
-    return n3i_is_along(e, n) ? n3_v(0, 0, 0) : n3_unit(n3_cross(e, n));
+    return n3i_is_along(d, n) ? n3_v(0, 0, 0) : n3_unit(n3_cross(d, n));
 }
 
 /* The part of n across the unit vector e, unit; zero when n is zero or lies along e. */
@@ -557,11 +571,11 @@ NAGATA3_API n3_patch n3_patch2_raise(const n3_patch2 *q)
 
 /* ---- Definitions: the edge ---- */
 
-/* Pi for the unit chord e and the normals at its ends. The bisector of the smaller angle of two
-   planes is the one whose normal is the sum of theirs when these make an acute angle. */
-NAGATA3_API n3_vec n3i_plane(n3_vec e, n3_vec n0, n3_vec n1)
+/* Pi for the chord d and the normals at its ends. The bisector of the smaller angle of two planes is
+   the one whose normal is the sum of theirs when these make an acute angle. */
+NAGATA3_API n3_vec n3i_plane(n3_vec d, n3_vec n0, n3_vec n1)
 {
-    n3_vec m0 = n3i_upright(e, n0), m1 = n3i_upright(e, n1);
+    n3_vec m0 = n3i_upright(d, n0), m1 = n3i_upright(d, n1);
     return n3_unit(n3_dot(m0, m1) >= 0 ? n3_add(m0, m1) : n3_sub(m0, m1));
 }
 
@@ -570,35 +584,35 @@ NAGATA3_API n3_vec n3_curve_plane(n3_vertex a, n3_vertex b)
     return n3i_plane(n3_unit(n3_sub(b.x, a.x)), a.n, b.n);
 }
 
-/* The tangent cos e + sin b at an end, and the tangent of its angle to the chord after clamping. */
-typedef struct n3i_end { n3_real cos, sin, tan; int along; } n3i_end;
+/* An end of an edge: the tangent of its angle to the chord, clamped, and its handle but for the
+   ratio of the tangents of both. */
+typedef struct n3i_end { n3_vec reach; n3_real tan; } n3i_end;
 
-/* Where Pi, spanned by the chord e and b across it, meets the tangent plane of the normal n:
-   <n, cos e + sin b> = 0, turned along the chord, cos >= 0, as the paper does it by (4.2.1) and
-   the corrected points of (5.1.4a) and (5.1.5a), here without a point of intersection. A normal
-   along the chord gives tan_hi, and no direction of its own. */
-NAGATA3_API n3i_end n3i_end_make(n3_vec n, n3_vec e, n3_vec b, const n3_options *o)
+/* Where Pi, spanned by the chord d and by b, across it and as long, meets the tangent plane of the
+   normal n: <n, d - s b> = 0, turned along the chord, as the paper does it by (4.2.1) and the
+   corrected points of (5.1.4a) and (5.1.5a), here without a point of intersection. s is the tangent
+   of the angle to the chord, d - s b is L / cos long, and so a third of it twice is what (5.1.13)
+   says up to 60 degrees; beyond it is no longer stretched by 1/cos. A normal along the chord gives
+   tan_hi, and no direction of its own. */
+NAGATA3_API n3i_end n3i_end_make(n3_vec n, n3_vec d, n3_vec b, const n3_options *o)
 {
-    n3_real ne = n3_dot(n, e), nb = n3_dot(n, b), h = n3i_sqrt(ne * ne + nb * nb);
     n3i_end t;
-    t.cos = t.sin = 0;
+    n3_real s, third = (n3_real)1 / 3, stretch;
+    t.reach = n3_v(0, 0, 0);
     t.tan = o->tan_hi;
-    t.along = n3i_is_along(e, n);
-    if (t.along) return t;
-    if (n3i_abs(ne) < o->tan_hi * n3i_abs(nb)) t.tan = n3i_abs(ne / nb);           /* (5.1.12) */
+    if (n3i_is_along(d, n)) return t;
+    s = n3_dot(n, d) / n3_dot(n, b);
+    if (n3i_abs(s) < t.tan) t.tan = n3i_abs(s);                                    /* (5.1.12) */
     t.tan = n3i_larger(t.tan, o->tan_lo);                                          /* (5.1.11) */
-    t.cos = n3i_abs(nb) / h;
-    t.sin = (nb < 0 ? ne : -ne) / h;
+    stretch = s * s > 3 ? 4 * third / n3i_sqrt(1 + s * s) : 2 * third;
+    t.reach = n3_mul(stretch, n3_sub(d, n3_mul(s, b)));
     return t;
 }
 
-/* The handle at an end of a chord of length L, from the clamped angles here and at the other end;
-   beyond 60 degrees it is no longer stretched by 1/cos. */
-NAGATA3_API n3_real n3i_handle(n3i_end here, n3i_end other, n3_real L)
+/* From the clamped angles here and at the other end. */
+NAGATA3_API n3_vec n3i_handle(n3i_end here, n3i_end other)
 {
-    n3_real ratio = other.tan / (here.tan + other.tan);
-    if (here.cos >= (n3_real)1 / 2) return ratio / here.cos * (2 * L / 3);
-    return ratio * (4 * L / 3);
+    return n3_mul(other.tan / (here.tan + other.tan), here.reach);
 }
 
 NAGATA3_API n3_edge n3i_edge_straight(n3_vec x0, n3_vec x1)
@@ -607,20 +621,19 @@ NAGATA3_API n3_edge n3i_edge_straight(n3_vec x0, n3_vec x1)
     return n3i_edge_of(x0, n3_add(x0, third), n3_sub(x1, third), x1);
 }
 
-/* e, L: the chord's direction and length. An end whose normal lies along the chord starts at 90
-   degrees on the side from which the other end comes down. */
-NAGATA3_API n3_edge n3i_edge_paper(n3_vertex v0, n3_vertex v1, n3_vec e, n3_real L,
-                                   const n3_options *o)
+/* An end whose normal lies along the chord starts at 90 degrees on the side from which the other end
+   comes down. */
+NAGATA3_API n3_edge n3i_edge_paper(n3_vertex v0, n3_vertex v1, const n3_options *o)
 {
-    n3_vec m = n3i_plane(e, v0.n, v1.n), b = n3_cross(m, e), ts, te;
-    n3i_end s = n3i_end_make(v0.n, e, b, o), t = n3i_end_make(v1.n, e, b, o);
-    n3_real ds = n3i_handle(s, t, L);                                              /* (5.1.13) */
-    n3_real de = n3i_handle(t, s, L);                                              /* (5.1.14) */
-    if (s.along) s.sin = t.sin > 0 ? -1 : 1;
-    if (t.along) t.sin = s.sin < 0 ? 1 : -1;
-    ts = n3_add(n3_mul(s.cos, e), n3_mul(s.sin, b));
-    te = n3_add(n3_mul(t.cos, e), n3_mul(t.sin, b));
-    return n3i_edge_of(v0.x, n3_add(v0.x, n3_mul(ds, ts)), n3_sub(v1.x, n3_mul(de, te)), v1.x);
+    n3_real scale;
+    n3_vec d = n3i_fair(n3_sub(v1.x, v0.x), &scale), b = n3_cross(n3i_plane(d, v0.n, v1.n), d);
+    n3i_end s = n3i_end_make(v0.n, d, b, o), t = n3i_end_make(v1.n, d, b, o);
+    n3_vec ds, de, up = n3_mul((n3_real)4 / 3, b);
+    if (n3i_is_zero(s.reach)) s.reach = n3_dot(t.reach, b) > 0 ? n3i_neg(up) : up;
+    if (n3i_is_zero(t.reach)) t.reach = n3_dot(s.reach, b) < 0 ? up : n3i_neg(up);
+    ds = n3_mul(scale, n3i_handle(s, t));                                          /* (5.1.13) */
+    de = n3_mul(scale, n3i_handle(t, s));                                          /* (5.1.14) */
+    return n3i_edge_of(v0.x, n3_add(v0.x, ds), n3_sub(v1.x, de), v1.x);
 }
 
 /* Ours. m = unit(n0 + n1) bisects the normals, which make the angle 2 a; cos = cos a. Of the chord
@@ -672,13 +685,13 @@ NAGATA3_API int n3i_is_arc(const n3_options *o)
 NAGATA3_API n3_edge n3i_edge_sorted(n3_vertex a, n3_vertex b, const n3_options *given)
 {
     n3_options o = n3i_defaults(given);
-    n3_real L;
-    n3_vec e = n3i_direction(n3_sub(b.x, a.x), &L);
-    if (n3i_is_zero(a.n)) a.n = n3i_across(b.n, e);
-    else if (n3i_is_zero(b.n)) b.n = n3i_across(a.n, e);
-    if (n3i_is_along(e, a.n) && n3i_is_along(e, b.n)) return n3i_edge_straight(a.x, b.x);
+    n3_real scale;
+    n3_vec d = n3i_fair(n3_sub(b.x, a.x), &scale);
+    if (n3i_is_zero(a.n)) a.n = n3i_across(b.n, n3_unit(d));
+    else if (n3i_is_zero(b.n)) b.n = n3i_across(a.n, n3_unit(d));
+    if (n3i_is_along(d, a.n) && n3i_is_along(d, b.n)) return n3i_edge_straight(a.x, b.x);
     if (n3i_is_arc(&o) && !(n3_len(n3_add(a.n, b.n)) <= N3_OPPOSITE)) return n3i_edge_arc(a, b);
-    return n3i_edge_paper(a, b, e, L, &o);
+    return n3i_edge_paper(a, b, &o);
 }
 
 NAGATA3_API n3_edge n3_edge_make(n3_vertex a, n3_vertex b, const n3_options *o)
@@ -1451,12 +1464,26 @@ NAGATA3_API n3_status n3i_blame(n3_status status, int index, int *item)
 }
 
 /* Copied byte by byte: a stride need not keep the alignment. */
+NAGATA3_API n3_real n3i_real_at(const char *from, int k)
+{
+    n3_real a;
+    memcpy(&a, from + (size_t)k * sizeof a, sizeof a);
+    return a;
+}
+
+NAGATA3_API n3_vec n3i_vec_from(const char *from)
+{
+    return n3_v(n3i_real_at(from, 0), n3i_real_at(from, 1), n3i_real_at(from, 2));
+}
+
+NAGATA3_API const char *n3i_vec_place(const n3_real *base, size_t stride, int i)
+{
+    return (const char *)base + (size_t)i * (stride ? stride : 3 * sizeof *base);
+}
+
 NAGATA3_API n3_vec n3i_vec_at(const n3_real *base, size_t stride, int i)
 {
-    n3_vec a;
-    const char *from = (const char *)base + (size_t)i * (stride ? stride : sizeof a);
-    memcpy(&a, from, sizeof a);
-    return a;
+    return n3i_vec_from(n3i_vec_place(base, stride, i));
 }
 
 NAGATA3_API int n3i_index_at(const int *base, size_t stride, int triangle, int corner)
@@ -1487,7 +1514,7 @@ NAGATA3_API int n3i_at(const n3_mesh *m, int c)
     return n3i_index_of(m->triangle, m->triangle_stride, c);
 }
 
-NAGATA3_API int n3i_after(int c) { return c % 3 == 2 ? c - 2 : c + 1; }
+NAGATA3_API int n3i_after(int c) { return (unsigned)c % 3 == 2 ? c - 2 : c + 1; }
 
 /* All three. */
 NAGATA3_API void n3i_corners(const n3_mesh *m, int triangle, int c[3])
@@ -2156,6 +2183,14 @@ N3I_WIDE_API void n3i_store(const n3i_wide *from, int count, n3_real *const to[N
             memcpy(out[i] + k, (const char *)&from[k] + (size_t)i * sizeof **to, sizeof **to);
 }
 
+N3I_WIDE_API int n3i_all(n3i_mask mask)
+{
+    int i, all = 1;
+    N3I_UNROLL
+    for (i = 0; i < N3I_WIDTH; i++) all &= n3i_lane(mask, i);
+    return all;
+}
+
 N3I_WIDE_API n3i_wide_vec n3i_wide_v(n3i_wide x, n3i_wide y, n3i_wide z)
 {
     n3i_wide_vec a;
@@ -2212,77 +2247,82 @@ N3I_WIDE_API n3i_wide n3i_wide_largest(n3i_wide_vec a)
                            n3i_wide_abs(a.z));
 }
 
-/* n3_unit and n3_len of a lane that has a length; the others are not ok. */
+/* n3_unit and n3_len of a lane whose square neither overflows nor underflows; the others are not
+   ok. */
 N3I_WIDE_API n3i_wide_vec n3i_wide_unit(n3i_wide_vec a, n3i_wide *length, n3i_mask *ok)
 {
-    n3i_wide s = n3i_wide_largest(a), r;
-    n3i_mask some = (n3i_mask)(s > 0);
-    *ok &= some;
-    s = n3i_pick(some, s, n3i_wide_of(1));
-    a = n3i_wide_over(a, s);
-    r = n3i_wide_sqrt(n3i_wide_dot(a, a));
-    *length = s * r;
-    return n3i_wide_over(a, n3i_pick(some, r, n3i_wide_of(1)));
+    n3i_wide aa = n3i_wide_dot(a, a);
+    *ok &= (n3i_mask)(aa > N3I_LEAST_SQUARE) & (n3i_mask)(aa < N3I_MOST_SQUARE);
+    *length = n3i_wide_sqrt(n3i_wide_larger(n3i_wide_of(N3I_LEAST_SQUARE), aa));
+    return n3i_wide_over(a, *length);
 }
 
-/* n3i_upright of a lane whose n is neither zero nor along e. */
-N3I_WIDE_API n3i_wide_vec n3i_wide_upright(n3i_wide_vec e, n3i_wide_vec n, n3i_mask *ok)
+/* The square of d x n at which n counts as along d; a d whose own square is too small or too large
+   is not ok. */
+N3I_WIDE_API n3i_wide n3i_wide_along(n3i_wide_vec d, n3i_mask *ok)
 {
-    n3i_wide_vec m = n3i_wide_cross(e, n);
+    n3i_wide dd = n3i_wide_dot(d, d);
+    *ok &= (n3i_mask)(dd > N3I_LEAST_SQUARE) & (n3i_mask)(dd < N3I_MOST_SQUARE);
+    return N3_ALONG * N3_ALONG * dd;
+}
+
+/* n3i_upright of a lane whose n is neither zero nor along d; along: n3i_wide_along of d. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_upright(n3i_wide_vec d, n3i_wide_vec n, n3i_wide along,
+                                           n3i_mask *ok)
+{
+    n3i_wide_vec m = n3i_wide_cross(d, n);
     n3i_wide length;
-    *ok &= (n3i_mask)(n3i_wide_dot(m, m) > N3_ALONG * N3_ALONG);
+    *ok &= (n3i_mask)(n3i_wide_dot(m, m) > along);
     return n3i_wide_unit(m, &length, ok);
 }
 
 /* ---- Definitions: edges at once ---- */
 
 typedef struct n3i_wide_vertex { n3i_wide_vec x, n; } n3i_wide_vertex;
-typedef struct n3i_wide_end { n3i_wide cos, sin, tan; } n3i_wide_end;
+typedef struct n3i_wide_end { n3i_wide_vec reach; n3i_wide tan; } n3i_wide_end;
 
 /* n3i_end_make. */
-N3I_WIDE_API n3i_wide_end n3i_wide_end_make(n3i_wide_vec n, n3i_wide_vec e, n3i_wide_vec b,
+N3I_WIDE_API n3i_wide_end n3i_wide_end_make(n3i_wide_vec n, n3i_wide_vec d, n3i_wide_vec b,
                                             const n3_options *o)
 {
-    n3i_wide ne = n3i_wide_dot(n, e), nb = n3i_wide_dot(n, b);
-    n3i_wide h = n3i_wide_sqrt(ne * ne + nb * nb), size = n3i_wide_abs(nb);
-    n3i_mask below = (n3i_mask)(n3i_wide_abs(ne) < o->tan_hi * size);
+    n3i_wide third = n3i_wide_of((n3_real)1 / 3), high = n3i_wide_of(o->tan_hi), stretch;
+    n3i_wide nd = n3i_wide_dot(n, d), nb = n3i_wide_dot(n, b), s, size;
     n3i_wide_end t;
-    t.tan = n3i_wide_abs(ne / n3i_pick(below, nb, n3i_wide_of(1)));
-    t.tan = n3i_pick(below, t.tan, n3i_wide_of(o->tan_hi));                        /* (5.1.12) */
+    s = nd / n3i_pick((n3i_mask)(nb * nb > 0), nb, n3i_wide_of(1));
+    size = n3i_wide_abs(s);
+    t.tan = n3i_pick((n3i_mask)(size < high), size, high);                         /* (5.1.12) */
     t.tan = n3i_wide_larger(t.tan, n3i_wide_of(o->tan_lo));                        /* (5.1.11) */
-    h = n3i_pick((n3i_mask)(h > 0), h, n3i_wide_of(1));
-    t.cos = size / h;
-    t.sin = n3i_pick((n3i_mask)(nb < 0), ne, -ne) / h;
+    stretch = 4 * third / n3i_wide_sqrt(1 + s * s);
+    stretch = n3i_pick((n3i_mask)(s * s > 3), stretch, 2 * third);
+    t.reach = n3i_wide_mul(stretch, n3i_wide_sub(d, n3i_wide_mul(s, b)));
     return t;
 }
 
-/* n3i_handle; third is 2 L / 3. */
-N3I_WIDE_API n3i_wide n3i_wide_handle(n3i_wide_end here, n3i_wide_end other, n3i_wide third)
+/* n3i_handle. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_handle(n3i_wide_end here, n3i_wide_end other)
 {
-    n3i_wide ratio = other.tan / (here.tan + other.tan);
-    n3i_mask flat = (n3i_mask)(here.cos >= (n3_real)1 / 2);
-    n3i_wide slope = n3i_pick(flat, here.cos, n3i_wide_of(1));
-    return n3i_pick(flat, ratio / slope * third, ratio * (2 * third));
+    return n3i_wide_mul(other.tan / (here.tan + other.tan), here.reach);
 }
 
-/* n3i_edge_paper. */
-N3I_WIDE_API n3i_mask n3i_wide_edge_paper(n3i_wide_vertex v0, n3i_wide_vertex v1,
-                                          const n3_options *o, n3i_wide_vec p[2])
+/* n3i_plane, and from it b as long as the chord and across it. */
+N3I_WIDE_API n3i_wide_vec n3i_wide_across(n3i_wide_vec d, n3i_wide_vec n0, n3i_wide_vec n1,
+                                          n3i_mask *ok)
 {
-    n3i_wide L, length;
-    n3i_mask ok = (n3i_mask)(v0.x.x <= v1.x.x);
-    n3i_wide_vec e = n3i_wide_unit(n3i_wide_sub(v1.x, v0.x), &L, &ok);
-    n3i_wide_vec m0 = n3i_wide_upright(e, v0.n, &ok), m1 = n3i_wide_upright(e, v1.n, &ok);
+    n3i_wide along = n3i_wide_along(d, ok), length;
+    n3i_wide_vec m0 = n3i_wide_upright(d, n0, along, ok), m1 = n3i_wide_upright(d, n1, along, ok);
     n3i_mask acute = (n3i_mask)(n3i_wide_dot(m0, m1) >= 0);
     n3i_wide_vec m = n3i_wide_pick(acute, n3i_wide_add(m0, m1), n3i_wide_sub(m0, m1));
-    n3i_wide_vec b = n3i_wide_cross(n3i_wide_unit(m, &length, &ok), e);
-    n3i_wide_end s = n3i_wide_end_make(v0.n, e, b, o), t = n3i_wide_end_make(v1.n, e, b, o);
-    n3i_wide ds = n3i_wide_handle(s, t, 2 * L / 3), de = n3i_wide_handle(t, s, 2 * L / 3);
-    n3i_wide_vec ts = n3i_wide_add(n3i_wide_mul(s.cos, e), n3i_wide_mul(s.sin, b));
-    n3i_wide_vec te = n3i_wide_add(n3i_wide_mul(t.cos, e), n3i_wide_mul(t.sin, b));
-    p[0] = n3i_wide_add(v0.x, n3i_wide_mul(ds, ts));                               /* (5.1.13) */
-    p[1] = n3i_wide_sub(v1.x, n3i_wide_mul(de, te));                               /* (5.1.14) */
-    return ok;
+    return n3i_wide_cross(n3i_wide_unit(m, &length, ok), d);
+}
+
+/* n3i_edge_paper, b across the chord given. */
+N3I_WIDE_API void n3i_wide_edge_paper(n3i_wide_vertex v0, n3i_wide_vertex v1, n3i_wide_vec b,
+                                      const n3_options *o, n3i_wide_vec p[2])
+{
+    n3i_wide_vec d = n3i_wide_sub(v1.x, v0.x);
+    n3i_wide_end s = n3i_wide_end_make(v0.n, d, b, o), t = n3i_wide_end_make(v1.n, d, b, o);
+    p[0] = n3i_wide_add(v0.x, n3i_wide_handle(s, t));                              /* (5.1.13) */
+    p[1] = n3i_wide_sub(v1.x, n3i_wide_handle(t, s));                              /* (5.1.14) */
 }
 
 N3I_WIDE_API n3i_wide_vec n3i_wide_off(n3i_wide_vec a, n3i_wide_vec n)
@@ -2291,16 +2331,16 @@ N3I_WIDE_API n3i_wide_vec n3i_wide_off(n3i_wide_vec a, n3i_wide_vec n)
 }
 
 /* n3i_edge_arc. */
-N3I_WIDE_API n3i_mask n3i_wide_edge_arc(n3i_wide_vertex v0, n3i_wide_vertex v1, n3i_wide_vec p[2])
+N3I_WIDE_API void n3i_wide_edge_arc(n3i_wide_vertex v0, n3i_wide_vertex v1, n3i_wide_vec p[2],
+                                    n3i_mask *ok)
 {
     n3i_wide_vec d = n3i_wide_sub(v1.x, v0.x), e, m, q, turn = n3i_wide_sub(v1.n, v0.n);
-    n3i_wide g = n3i_wide_dot(d, turn), k, length;
-    n3i_mask ok = (n3i_mask)(v0.x.x <= v1.x.x);
-    e = n3i_wide_unit(d, &length, &ok);
-    n3i_wide_upright(e, v0.n, &ok);
-    n3i_wide_upright(e, v1.n, &ok);
-    m = n3i_wide_unit(n3i_wide_add(v0.n, v1.n), &length, &ok);
-    ok &= (n3i_mask)(length > N3_OPPOSITE);
+    n3i_wide g = n3i_wide_dot(d, turn), k, length, along;
+    along = n3i_wide_along(d, ok);
+    n3i_wide_upright(d, v0.n, along, ok);
+    n3i_wide_upright(d, v1.n, along, ok);
+    m = n3i_wide_unit(n3i_wide_add(v0.n, v1.n), &length, ok);
+    *ok &= (n3i_mask)(length > N3_OPPOSITE);
     k = 1 / (1 + length / 2);
     q = n3i_wide_sub(n3i_wide_off(d, m), n3i_wide_mul(g * k * k / 4, turn));
     m = n3i_wide_mul(g * k, m);
@@ -2308,7 +2348,6 @@ N3I_WIDE_API n3i_mask n3i_wide_edge_arc(n3i_wide_vertex v0, n3i_wide_vertex v1, 
     e = n3i_wide_over(n3i_wide_sub(q, m), n3i_wide_of(3));
     p[0] = n3i_wide_add(v0.x, n3i_wide_off(d, v0.n));
     p[1] = n3i_wide_sub(v1.x, n3i_wide_off(e, v1.n));
-    return ok;
 }
 
 /* n3i_centre_cubic, from (6.1.10). */
@@ -2359,7 +2398,8 @@ N3I_WIDE_API n3i_wide_vec n3i_wide_centre_arc(const n3i_wide_vec p[9], const n3i
         x = n3i_wide_sub(n3i_wide_sub(n3i_wide_add(x, x), facing), C);
         t = n3i_wide_add(n3i_wide_sub(p[j], p[i]), n3i_wide_sub(p2, p1));
         t = n3i_wide_unit(t, &length, ok);
-        ne = n3i_wide_upright(t, n3i_wide_unit(mid[i], &length, ok), ok);
+        ne = n3i_wide_unit(mid[i], &length, ok);
+        ne = n3i_wide_upright(t, ne, n3i_wide_along(t, ok), ok);
         ne = n3i_wide_cross(ne, t);
         rc += n3i_wide_dot(ne, x) * n3i_wide_dot(ne, N);
         cc += n3i_wide_dot(ne, N) * n3i_wide_dot(ne, N);
@@ -2464,30 +2504,31 @@ NAGATA3_API n3i_joint n3i_joint_make(const n3i_pair *list, int count, int end, n
     return joint;
 }
 
-/* The ends of an edge whose triangles all name the same normals, in canonical order, by place, then
-   by number; false if they differ. */
-NAGATA3_API int n3i_common_ends(const n3_mesh *m, const n3_topology *t, int edge, int point[2],
-                                n3_vertex end[2])
+/* True if all triangles of an edge name these normals at these points. */
+NAGATA3_API int n3i_same_names(const n3_mesh *m, const n3_topology *t, int edge, const int point[2],
+                               const int normal[2])
 {
-    int i = t->first[edge], s = t->side[i], next = n3i_after(s), order;
-    int a = n3i_at(m, s), b = n3i_at(m, next), c = n3i_normal_at(m, s), d = n3i_normal_at(m, next);
-    n3_vec x = n3i_point(m, a), y = n3i_point(m, b);
-    for (i++; i < t->first[edge + 1]; i++) {
-        s = t->side[i];
-        next = n3i_after(s);
-        order = n3i_at(m, s) == a;
-        if (n3i_normal_at(m, order ? s : next) != c || n3i_normal_at(m, order ? next : s) != d)
-            return 0;
+    int i;
+    for (i = t->first[edge]; i < t->first[edge + 1]; i++) {
+        int s = t->side[i], down = n3i_at(m, s) != point[0];
+        if (n3i_normal_at(m, s) != normal[down]) return 0;
+        if (n3i_normal_at(m, n3i_after(s)) != normal[!down]) return 0;
     }
-    order = n3i_order(x, y);
-    i = order > 0 || (order == 0 && a > b);
-    point[i] = a;
-    point[!i] = b;
-    end[i].x = x;
-    end[!i].x = y;
-    end[i].n = n3i_normal_named(m, c);
-    end[!i].n = n3i_normal_named(m, d);
     return 1;
+}
+
+/* The points of an edge, the lower first, and the normals that all of its triangles name there, in
+   the same order; false if they do not name the same. */
+NAGATA3_API int n3i_common_ends(const n3_mesh *m, const n3_topology *t, int edge, int point[2],
+                                int normal[2])
+{
+    int s = t->side[t->first[edge]], next = n3i_after(s);
+    int a = n3i_at(m, s), b = n3i_at(m, next), down = a > b;
+    point[0] = down ? b : a;
+    point[1] = down ? a : b;
+    normal[0] = n3i_normal_at(m, down ? next : s);
+    normal[1] = n3i_normal_at(m, down ? s : next);
+    return !m->corner || n3i_same_names(m, t, edge, point, normal);
 }
 
 /* An edge of the mesh with its ends in canonical order. */
@@ -2497,19 +2538,15 @@ NAGATA3_API void n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edge, n
 {
     n3i_pair list[N3I_PAIRS];
     n3_vec e;
-    int i, count;
+    int i, count, point[2], normal[2], common = n3i_common_ends(m, t, edge, point, normal);
+    int back = n3i_order(n3i_point(m, point[0]), n3i_point(m, point[1])) > 0;
     memset(seam->joint, 0, sizeof seam->joint);
-    if (n3i_common_ends(m, t, edge, seam->point, seam->end)) {
-        for (i = 0; i < 2; i++) seam->joint[i].n = seam->end[i].n;
-        return;
+    for (i = 0; i < 2; i++) {
+        seam->point[i] = point[i ^ back];
+        seam->end[i].x = n3i_point(m, seam->point[i]);
+        if (common) seam->end[i].n = seam->joint[i].n = n3i_normal_named(m, normal[i ^ back]);
     }
-    n3_mesh_edge_ends(m, t, edge, seam->point);
-    if (n3i_order(n3i_point(m, seam->point[0]), n3i_point(m, seam->point[1])) > 0) {
-        i = seam->point[0];
-        seam->point[0] = seam->point[1];
-        seam->point[1] = i;
-    }
-    for (i = 0; i < 2; i++) seam->end[i].x = n3i_point(m, seam->point[i]);
+    if (common) return;
     e = n3_unit(n3_sub(seam->end[1].x, seam->end[0].x));
     count = n3i_collect(m, t, edge, seam->point[0], list);
     for (i = 0; i < 2; i++) {
@@ -2518,15 +2555,15 @@ NAGATA3_API void n3i_seam_of(const n3_mesh *m, const n3_topology *t, int edge, n
     }
 }
 
-/* The end of a curve that leaves its end with the unit tangent t, clamped as the paper does. */
-NAGATA3_API n3i_end n3i_end_of_tangent(n3_vec t, n3_vec e, const n3_options *o)
+/* The end of a curve over the chord L e that leaves it with the unit tangent t, clamped as the paper
+   does. */
+NAGATA3_API n3i_end n3i_end_of_tangent(n3_vec t, n3_vec e, n3_real L, const n3_options *o)
 {
+    n3_real cosine = n3_dot(t, e), sine = n3_len(n3_cross(t, e));
     n3i_end end;
-    end.cos = n3_dot(t, e);
-    end.sin = n3_len(n3_cross(t, e));
-    end.tan = end.sin < o->tan_hi * end.cos ? end.sin / end.cos : o->tan_hi;       /* (5.1.12) */
+    end.tan = sine < o->tan_hi * cosine ? sine / cosine : o->tan_hi;               /* (5.1.12) */
     end.tan = n3i_larger(end.tan, o->tan_lo);                                      /* (5.1.11) */
-    end.along = 0;
+    end.reach = n3_mul(cosine >= (n3_real)1 / 2 ? 2 * L / 3 / cosine : 4 * L / 3, t);
     return end;
 }
 
@@ -2554,19 +2591,23 @@ NAGATA3_API void n3i_seam_tangents(const n3i_seam *seam, const n3_options *o, n3
 NAGATA3_API n3_edge n3i_seam_edge(const n3i_seam *seam, const n3_options *given)
 {
     n3_options o = n3i_defaults(given);
-    n3_vec x0 = seam->end[0].x, x1 = seam->end[1].x, d = n3_sub(x1, x0), e = n3_unit(d), t[2];
-    n3_real L = n3_len(d), ds, de;
+    n3_vec x0 = seam->end[0].x, x1 = seam->end[1].x, t[2], ds, de, e;
+    n3_real L, arc;
     if (!(seam->joint[0].share > 0) && !(seam->joint[1].share > 0))
         return n3_edge_make(seam->end[0], seam->end[1], given);
     n3i_seam_tangents(seam, given, t);
+    e = n3i_direction(n3_sub(x1, x0), &L);
     if (n3i_is_arc(&o)) {
-        ds = de = 2 * L / 3 / (1 + n3_len(n3_add(t[0], t[1])) / 2);
+        arc = 2 * L / 3 / (1 + n3_len(n3_add(t[0], t[1])) / 2);
+        ds = n3_mul(arc, t[0]);
+        de = n3_mul(arc, t[1]);
     } else {
-        n3i_end start = n3i_end_of_tangent(t[0], e, &o), stop = n3i_end_of_tangent(t[1], e, &o);
-        ds = n3i_handle(start, stop, L);                                           /* (5.1.13) */
-        de = n3i_handle(stop, start, L);                                           /* (5.1.14) */
+        n3i_end start = n3i_end_of_tangent(t[0], e, L, &o);
+        n3i_end stop = n3i_end_of_tangent(t[1], e, L, &o);
+        ds = n3i_handle(start, stop);                                              /* (5.1.13) */
+        de = n3i_handle(stop, start);                                              /* (5.1.14) */
     }
-    return n3i_edge_of(x0, n3_add(x0, n3_mul(ds, t[0])), n3_sub(x1, n3_mul(de, t[1])), x1);
+    return n3i_edge_of(x0, n3_add(x0, ds), n3_sub(x1, de), x1);
 }
 
 /* The bits that the shape of an edge gives. */
@@ -2628,7 +2669,7 @@ NAGATA3_API void n3i_fit_chord(n3_vertex p, n3_vertex q, const n3_vec frame[2], 
         for (k = 0; k < 5; k++) A[i][k] += row[i] * row[k];
 }
 
-/* The second unknown of four; the ridge keeps the pivots above zero, but where all is zero. With
+/* The second unknown of four; the ridge keeps the pivots above zero, but where all underflows. With
    1e-3 it would hold the normals on a saddle to second order; with 1e-5 it fails on stretched
    meshes. The right sides take n0 + n1 as it stands, not made unit, so that a chord over which the
    normals turn far counts less. */
@@ -2637,7 +2678,7 @@ NAGATA3_API n3_real n3i_fit_solve(n3_real A[4][5])
     static const int order[4] = {0, 2, 3, 1};
     n3_real trace = A[0][0] + A[1][1] + A[2][2] + A[3][3];
     int i, j, k;
-    if (!(trace > 0)) return 0;
+    if (!(trace > N3I_LEAST_SQUARE)) return 0;
     for (i = 0; i < 4; i++) A[i][i] += trace / 4 / 10000;
     for (i = 0; i < 3; i++)
         for (j = i + 1; j < 4; j++) {
@@ -2697,6 +2738,7 @@ NAGATA3_API n3_vec n3i_side_mid(const n3_mesh *m, const n3_topology *t, int s)
                               n3i_corner(m, n3i_after(n3i_after(two[!back]))));
 }
 
+/* The centre by the arc rules. */
 NAGATA3_API n3_vec n3i_mesh_centre(const n3_mesh *m, const n3_topology *t, const n3_options *o,
                                    const n3_vec *net, int triangle)
 {
@@ -2705,8 +2747,7 @@ NAGATA3_API n3_vec n3i_mesh_centre(const n3_mesh *m, const n3_topology *t, const
     n3_vec n[3], mid[3];
     int i, node[10];
     n3_mesh_patch_nodes(m, t, triangle, node);
-    if (!n3i_is_arc(o)) return n3i_centre(net, node);
-    for (i = 0; i < 10; i++) p.p[i] = net[node[i]];
+    for (i = 0; i < 9; i++) p.p[i] = net[node[i]];
     n3_patch_edges(&p, e);
     for (i = 0; i < 3; i++) n[i] = n3i_corner_normal(m, 3 * triangle + i);
     if (o->rule != N3_RULE_FIT) return n3_patch_centre_arc(&e[0], &e[1], &e[2], n, NULL);
@@ -2714,51 +2755,145 @@ NAGATA3_API n3_vec n3i_mesh_centre(const n3_mesh *m, const n3_topology *t, const
     return n3_patch_centre_arc(&e[0], &e[1], &e[2], n, mid);
 }
 
-/* The two inner control points of edges, by ends; the wide form writes eight numbers of each. */
-NAGATA3_API n3i_mask n3i_edge_points(n3_vertex end[N3I_WIDTH][2], const n3_options *given,
-                                     n3_vec out[N3I_WIDTH][3])
+/* Edges on their way through wide numbers, a row for each number: x and n of the lower point, then of
+   the higher, from either of which the rules give the same bits; b, across the chord and as long; p,
+   the control point next to the one, then to the other. same: the triangles name the same normals.
+   ok: the lanes that need no plain form. */
+enum { N3I_BATCH = 32 };
+typedef n3_real n3i_rows[3][N3I_BATCH];
+typedef struct n3i_batch {
+    n3i_rows x[2], n[2], b, p[2];
+    int point[2][N3I_BATCH], normal[2][N3I_BATCH], same[N3I_BATCH];
+    n3i_mask ok[(int)N3I_BATCH / (int)N3I_WIDTH];
+} n3i_batch;
+
+N3I_WIDE_API n3i_wide_vec n3i_from_rows(n3i_rows row, int first)
 {
-    const n3_real *from[N3I_WIDTH];
-    n3_real *to[N3I_WIDTH];
-    n3_options o = n3i_defaults(given);
-    n3i_wide_vertex v[2];
-    n3i_wide_vec p[3];
-    n3i_mask ok;
-    int i;
-    for (i = 0; i < N3I_WIDTH; i++) from[i] = &end[i][0].x.x;
-    for (i = 0; i < N3I_WIDTH; i++) to[i] = &out[i][0].x;
-    n3i_load(from, 12, &v[0].x.x);
-    ok = n3i_is_arc(&o) ? n3i_wide_edge_arc(v[0], v[1], p) : n3i_wide_edge_paper(v[0], v[1], &o, p);
-    p[2] = p[0];
-    n3i_store(&p[0].x, 8, to, 0);
-    return ok;
+    n3i_wide_vec a;
+    memcpy(&a.x, row[0] + first, sizeof a.x);
+    memcpy(&a.y, row[1] + first, sizeof a.y);
+    memcpy(&a.z, row[2] + first, sizeof a.z);
+    return a;
 }
 
-NAGATA3_API void n3_mesh_edges(const n3_mesh *m, const n3_topology *t, const n3_options *o,
+N3I_WIDE_API void n3i_to_rows(n3i_wide_vec a, n3i_rows row, int first)
+{
+    memcpy(row[0] + first, &a.x, sizeof a.x);
+    memcpy(row[1] + first, &a.y, sizeof a.y);
+    memcpy(row[2] + first, &a.z, sizeof a.z);
+}
+
+/* Vectors into three rows; index -1: zero. */
+NAGATA3_API void n3i_batch_vectors(const n3_real *base, size_t stride, const int *index, int count,
+                                   n3i_rows row)
+{
+    static const n3_real zero[3] = {0, 0, 0};
+    int i, c;
+    for (i = 0; i < count; i++) {
+        const char *from = (const char *)zero;
+        if (index[i] >= 0) from = n3i_vec_place(base, stride, index[i]);
+        for (c = 0; c < 3; c++) row[c][i] = n3i_real_at(from, c);
+    }
+}
+
+/* count edges from first on, the last one again to fill N3I_WIDTH. */
+NAGATA3_API void n3i_batch_ends(const n3_mesh *m, const n3_topology *t, int first, int count,
+                                n3i_batch *batch)
+{
+    int i, k, point[2], normal[2], filled = (count + N3I_WIDTH - 1) / N3I_WIDTH * N3I_WIDTH;
+    for (i = 0; i < filled; i++) {
+        int edge = first + (i < count ? i : count - 1);
+        batch->same[i] = n3i_common_ends(m, t, edge, point, normal);
+        for (k = 0; k < 2; k++) {
+            batch->point[k][i] = point[k];
+            batch->normal[k][i] = normal[k];
+        }
+    }
+    for (k = 0; k < 2; k++) {
+        n3i_batch_vectors(m->point, m->point_stride, batch->point[k], filled, batch->x[k]);
+        n3i_batch_vectors(m->normal, m->normal_stride, batch->normal[k], filled, batch->n[k]);
+    }
+}
+
+/* n3i_made_unit. */
+NAGATA3_API void n3i_batch_normals(n3i_batch *batch, int count)
+{
+    int i, k;
+    for (i = 0; i < count; i += N3I_WIDTH) {
+        n3i_mask *ok = &batch->ok[i / N3I_WIDTH];
+        n3i_wide one = n3i_wide_of(1), length;
+        *ok = (n3i_mask)(one <= one);
+        for (k = 0; k < 2; k++) {
+            n3i_wide_vec n = n3i_from_rows(batch->n[k], i);
+            n3i_mask is_unit = (n3i_mask)(n3i_wide_abs(n3i_wide_dot(n, n) - one) <= 8 * N3_EPS);
+            if (n3i_all(is_unit)) continue;
+            n = n3i_wide_pick(is_unit, n, n3i_wide_unit(n, &length, ok));
+            n3i_to_rows(n, batch->n[k], i);
+        }
+    }
+}
+
+/* What the paper's rule needs first: two short loops, of which the processor does several rounds at
+   once, and not one long one. */
+NAGATA3_API void n3i_batch_across(n3i_batch *batch, int count)
+{
+    int i;
+    for (i = 0; i < count; i += N3I_WIDTH) {
+        n3i_wide_vec x0 = n3i_from_rows(batch->x[0], i), x1 = n3i_from_rows(batch->x[1], i);
+        n3i_wide_vec n0 = n3i_from_rows(batch->n[0], i), n1 = n3i_from_rows(batch->n[1], i);
+        n3i_wide_vec d = n3i_wide_sub(x1, x0);
+        n3i_to_rows(n3i_wide_across(d, n0, n1, &batch->ok[i / N3I_WIDTH]), batch->b, i);
+    }
+}
+
+NAGATA3_API void n3i_batch_edges(n3i_batch *batch, int count, const n3_options *o)
+{
+    int i, k;
+    for (i = 0; i < count; i += N3I_WIDTH) {
+        n3i_wide_vertex v[2];
+        n3i_wide_vec p[2];
+        for (k = 0; k < 2; k++) {
+            v[k].x = n3i_from_rows(batch->x[k], i);
+            v[k].n = n3i_from_rows(batch->n[k], i);
+        }
+        if (n3i_is_arc(o)) n3i_wide_edge_arc(v[0], v[1], p, &batch->ok[i / N3I_WIDTH]);
+        else n3i_wide_edge_paper(v[0], v[1], n3i_from_rows(batch->b, i), o, p);
+        for (k = 0; k < 2; k++) n3i_to_rows(p[k], batch->p[k], i);
+    }
+}
+
+/* An edge whose triangles do not agree, or that is a case of its own. */
+NAGATA3_API void n3i_edge_apart(const n3i_seam *seam, const n3_options *o, n3_vec handle[2])
+{
+    n3_edge e = n3i_seam_edge(seam, o);
+    int back = seam->point[0] > seam->point[1];
+    handle[back] = e.p[1];
+    handle[!back] = e.p[2];
+}
+
+NAGATA3_API void n3_mesh_edges(const n3_mesh *m, const n3_topology *t, const n3_options *given,
                                int first, int last, n3_vec *net, unsigned *flags)
 {
-    n3_vertex end[N3I_WIDTH][2];
-    n3_vec p[N3I_WIDTH][3];
-    int i, k, common[N3I_WIDTH], point[N3I_WIDTH][2];
-    memset(end, 0, sizeof end);
-    for (; first < last; first += N3I_WIDTH) {
-        n3i_mask ok;
-        for (i = 0; i < N3I_WIDTH; i++)
-            common[i] =
-                n3i_common_ends(m, t, first + i < last ? first + i : first, point[i], end[i]);
-        ok = n3i_edge_points(end, o, p);
-        for (i = 0; i < N3I_WIDTH && first + i < last; i++) {
-            int edge = first + i;
-            n3_vec *out = net + m->points + 2 * edge;
+    n3_options o = n3i_defaults(given);
+    n3i_batch batch;
+    int i, k;
+    for (; first < last; first += N3I_BATCH) {
+        int count = last - first < N3I_BATCH ? last - first : N3I_BATCH;
+        n3i_batch_ends(m, t, first, count, &batch);
+        n3i_batch_normals(&batch, count);
+        if (!n3i_is_arc(&o)) n3i_batch_across(&batch, count);
+        n3i_batch_edges(&batch, count, &o);
+        for (i = 0; i < count; i++) {
+            n3_vec *handle = net + m->points + 2 * (first + i);
+            int exact = batch.same[i] && n3i_lane(batch.ok[i / N3I_WIDTH], i % N3I_WIDTH);
             n3i_seam seam;
-            n3_edge e;
-            int exact = common[i] && n3i_lane(ok, i);
-            if (flags || !exact) n3i_seam_of(m, t, edge, &seam);
-            if (flags) flags[edge] = n3i_seam_flags(&seam, o) | n3i_face_flags(m, t, edge);
-            if (!exact) e = n3i_seam_edge(&seam, o);
-            k = exact ? point[i][0] > point[i][1] : seam.point[0] > seam.point[1];
-            out[k] = exact ? p[i][0] : e.p[1];
-            out[!k] = exact ? p[i][1] : e.p[2];
+            for (k = 0; k < 2; k++)
+                handle[k] = n3_v(batch.p[k][0][i], batch.p[k][1][i], batch.p[k][2][i]);
+            if (exact && !flags) continue;
+            n3i_seam_of(m, t, first + i, &seam);
+            if (!exact) n3i_edge_apart(&seam, given, handle);
+            if (flags)
+                flags[first + i] = n3i_seam_flags(&seam, given) | n3i_face_flags(m, t, first + i);
         }
     }
 }
@@ -2797,12 +2932,13 @@ NAGATA3_API void n3i_arc_centres(const n3_mesh *m, const n3_topology *t, const n
 NAGATA3_API void n3_mesh_centres(const n3_mesh *m, const n3_topology *t, const n3_options *o,
                                  int first, int last, n3_vec *net)
 {
-    n3_vec *centre = net + m->points + 2 * t->edges;
-    if (first >= last) return;
-    memset(centre + first, 0, (size_t)(last - first) * sizeof *centre); /* they are read */
+    int node[10];
     for (; n3i_is_arc(o) && first < last; first += N3I_WIDTH)
         n3i_arc_centres(m, t, o, first, last - first < N3I_WIDTH ? last : first + N3I_WIDTH, net);
-    for (; first < last; first++) centre[first] = n3i_mesh_centre(m, t, o, net, first);
+    for (; first < last; first++) {
+        n3_mesh_patch_nodes(m, t, first, node);
+        net[node[9]] = n3i_centre(net, node);
+    }
 }
 
 NAGATA3_API int n3_mesh_nodes(const n3_mesh *m, const n3_topology *t)
@@ -3082,7 +3218,7 @@ N3I_WIDE_API n3i_wide n3i_wide_inverse_size(const n3i_wide_vec q[10], n3i_mask *
 #define N3I_CLEAR (N3I_PICK((n3_real)1 / 1048576, (n3_real)1 / 512))
 
 /* The unit normal along du x dv, if the square of that is above least; the lowest square. */
-N3I_WIDE_API n3i_wide_vec n3i_wide_along(n3i_wide_vec du, n3i_wide_vec dv, n3i_wide least,
+N3I_WIDE_API n3i_wide_vec n3i_wide_facing(n3i_wide_vec du, n3i_wide_vec dv, n3i_wide least,
                                          n3i_wide *lowest)
 {
     n3i_wide_vec n = n3i_wide_cross(du, dv);
@@ -3096,7 +3232,7 @@ N3I_WIDE_API n3i_wide_vec n3i_wide_normal(n3i_wide_vec du, n3i_wide_vec dv, n3_r
                                           n3i_mask *ok)
 {
     n3i_wide least = n3i_wide_of(clear * clear), lowest = n3i_wide_of(1);
-    n3i_wide_vec n = n3i_wide_along(du, dv, least, &lowest);
+    n3i_wide_vec n = n3i_wide_facing(du, dv, least, &lowest);
     *ok &= (n3i_mask)(lowest > least);
     return n;
 }
@@ -3126,7 +3262,7 @@ N3I_WIDE_API n3i_wide_vec n3i_wide_row_normal(n3i_wide_row *r, n3i_wide e, int s
     n3i_wide_vec a = r->f[0], b = r->g[0];
     if (side) a = n3i_wide_aside(n3i_wide_step(r->f[2], ee, a), e, r->f[1], side);
     if (side) b = n3i_wide_aside(n3i_wide_step(r->g[2], ee, b), e, r->g[1], side);
-    return n3i_wide_along(a, b, r->least, &r->lowest);
+    return n3i_wide_facing(a, b, r->least, &r->lowest);
 }
 
 N3I_WIDE_API n3i_wide_vec n3i_wide_row_at(n3i_wide_row *r, n3i_wide e, int side, int normals)

@@ -1,5 +1,6 @@
 /* The net of a mesh and its refinement: shared edges, creases, no cracks. */
 #include "built.h"
+#include "samples.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -836,7 +837,8 @@ static void refined_outputs_alone(void)
     shape_free(&s);
 }
 
-/* Scaling by a power of two changes no bit of the net and no flag. */
+/* Scaling by a power of two changes no bit of the net and no flag; but where the compiler contracts
+   the plain form, which does what is very small, in another way than the wide one. */
 static void net_scaled(void)
 {
     int row, k, i;
@@ -848,7 +850,9 @@ static void net_scaled(void)
             for (i = 0; i < s.points; i++) big.point[i] = n3_mul(scale, s.point[i]);
             a = build(&s, row % 3, -1);
             b = build(&big, row % 3, -1);
-            for (i = 0; i < a.nodes; i++) CHECK_SAME(b.net[i], n3_mul(scale, a.net[i]), row);
+            for (i = 0; i < a.nodes; i++)
+                CHECK_VEC(b.net[i], n3_mul(scale, a.net[i]),
+                          CONTRACTED * 32 * EPS * scale * reach(a.net, a.nodes), row);
             for (i = 0; i < a.t.edges; i++) CHECK(a.flags[i] == b.flags[i], row);
             built_free(&a);
             built_free(&b);
