@@ -1987,17 +1987,20 @@ NAGATA3_API n3_status n3_mesh_normals(const n3_mesh *m, const n3_topology *t, n3
 #define N3I_BYTES 16
 #endif
 #define N3I_WIDE_API NAGATA3_API __attribute__((always_inline))
-#define N3I_UNROLL   _Pragma("GCC unroll 8")
+#define N3I_UNROLL   _Pragma("GCC unroll 16")
 typedef n3_real n3i_wide __attribute__((vector_size(N3I_BYTES)));
 typedef __typeof__(*(n3i_wide *)0 > *(n3i_wide *)0) n3i_mask; /* integers of the same size */
+typedef n3_real n3i_xyz __attribute__((vector_size(N3I_PICK(N3I_BYTES, 16))));
 #else
 #define N3I_WIDE_API NAGATA3_API
 #define N3I_UNROLL
 typedef n3_real n3i_wide;
 typedef int n3i_mask;
+typedef n3_real n3i_xyz;
 #endif
 
 enum { N3I_WIDTH = sizeof(n3i_wide) / sizeof(n3_real) };
+enum { N3I_XYZ = sizeof(n3i_xyz) / sizeof(n3_real) };
 
 typedef struct n3i_wide_vec { n3i_wide x, y, z; } n3i_wide_vec;
 
@@ -2061,6 +2064,45 @@ N3I_WIDE_API void n3i_exchange(n3i_wide *a, n3i_wide *b, int step)
 #endif
 }
 
+/* The first and the second of N3I_WIDTH pairs. */
+N3I_WIDE_API void n3i_pairs(const n3_real *from, n3i_wide *first, n3i_wide *second)
+{
+    n3i_wide p, q;
+    memcpy(&p, from, sizeof p);
+    memcpy(&q, from + N3I_WIDTH, sizeof q);
+#if N3I_BYTES == N3I_PICK(16, 8)
+    *first = __builtin_shufflevector(p, q, 0, 2);
+    *second = __builtin_shufflevector(p, q, 1, 3);
+#elif N3I_BYTES == N3I_PICK(32, 16)
+    *first = __builtin_shufflevector(p, q, 0, 2, 4, 6);
+    *second = __builtin_shufflevector(p, q, 1, 3, 5, 7);
+#else
+    *first = __builtin_shufflevector(p, q, 0, 2, 4, 6, 8, 10, 12, 14);
+    *second = __builtin_shufflevector(p, q, 1, 3, 5, 7, 9, 11, 13, 15);
+#endif
+}
+
+/* A row of a point that nothing follows: four numbers begin before it. */
+N3I_WIDE_API n3i_xyz n3i_xyz_last(const n3_real *from)
+{
+    n3i_xyz x;
+#if N3I_BYTES == N3I_PICK(16, 0)
+    memcpy(&x, from, sizeof x);
+#else
+    memcpy(&x, from - 1, sizeof x);
+    x = __builtin_shufflevector(x, x, 1, 2, 3, 3);
+#endif
+    return x;
+}
+
+/* Of four numbers, three. */
+N3I_WIDE_API void n3i_xyz_store(n3i_xyz x, n3_real *to)
+{
+    int i;
+    N3I_UNROLL
+    for (i = 0; i < 3 && i < N3I_XYZ; i++) to[i] = x[i];
+}
+
 /* Rows into columns, by halving. */
 N3I_WIDE_API void n3i_turn(n3i_wide row[N3I_WIDTH])
 {
@@ -2078,6 +2120,13 @@ N3I_WIDE_API n3i_wide n3i_wide_abs(n3i_wide a) { return n3i_abs(a); }
 N3I_WIDE_API int n3i_lane(n3i_mask mask, int lane) { return lane == 0 && mask; }
 N3I_WIDE_API n3i_wide n3i_wide_sqrt(n3i_wide a) { return n3i_sqrt(a); }
 N3I_WIDE_API void n3i_turn(n3i_wide row[N3I_WIDTH]) { (void)row; }
+N3I_WIDE_API void n3i_pairs(const n3_real *from, n3i_wide *first, n3i_wide *second)
+{
+    *first = from[0];
+    *second = from[1];
+}
+N3I_WIDE_API n3i_xyz n3i_xyz_last(const n3_real *from) { return *from; }
+N3I_WIDE_API void n3i_xyz_store(n3i_xyz x, n3_real *to) { *to = x; }
 #endif
 
 /* The first count numbers of every lane; count is at least N3I_WIDTH. */
@@ -3115,136 +3164,225 @@ NAGATA3_API void n3_lattice_triangles(int first, int last, int level, int *trian
             }
 }
 
-/* w a + u b + v c */
-N3I_WIDE_API n3i_wide_vec n3i_wide_mix(n3i_wide w, n3i_wide_vec a, n3i_wide u, n3i_wide_vec b,
-                                       n3i_wide v, n3i_wide_vec c)
+/* Scattered points have patches of their own, and to turn these into lanes would take longer than
+   the sums: their lanes are x, y and z of a point, in N3I_ROWS rows. Only the weights are made with
+   the points of a batch for lanes. */
+enum { N3I_ROWS = N3I_XYZ > 3 ? 1 : 4 - N3I_XYZ, N3I_BATCH = 16 };
+typedef struct n3i_weights { n3_real c[13][N3I_BATCH]; } n3i_weights;
+
+/* Of p[0] to p[9]; then u, v and w. */
+N3I_WIDE_API void n3i_wide_cubic(n3i_wide u, n3i_wide v, n3i_wide w, n3i_wide c[13])
 {
-    return n3i_wide_add(n3i_wide_add(n3i_wide_mul(w, a), n3i_wide_mul(u, b)), n3i_wide_mul(v, c));
+    c[0] = w * w * w;
+    c[1] = u * u * u;
+    c[2] = v * v * v;
+    c[3] = 3 * u * w * w;
+    c[4] = 3 * u * u * w;
+    c[5] = 3 * u * u * v;
+    c[6] = 3 * u * v * v;
+    c[7] = 3 * v * v * w;
+    c[8] = 3 * v * w * w;
+    c[9] = 6 * u * v * w;
+    c[10] = u;
+    c[11] = v;
+    c[12] = w;
 }
 
-/* n3_patch_point off the sides; on them a lane is not ok. */
-N3I_WIDE_API n3i_wide_vec n3i_wide_point(const n3i_wide_vec q[10], n3i_wide u, n3i_wide v,
-                                         n3i_mask *ok)
+/* Of the ways in u or v, row by row. */
+N3I_WIDE_API void n3i_wide_quadratic(n3i_wide u, n3i_wide v, n3i_wide w, n3i_wide c[13])
 {
-    n3i_wide w = 1 - u - v;
-    n3i_wide_vec corners = n3i_wide_mix(w * w * w, q[0], u * u * u, q[1], v * v * v, q[2]);
-    n3i_wide_vec ab = n3i_wide_add(n3i_wide_mul(3 * u * w * w, q[3]),
-                                   n3i_wide_mul(3 * u * u * w, q[4]));
-    n3i_wide_vec bc = n3i_wide_add(n3i_wide_mul(3 * u * u * v, q[5]),
-                                   n3i_wide_mul(3 * u * v * v, q[6]));
-    n3i_wide_vec ca = n3i_wide_add(n3i_wide_mul(3 * v * v * w, q[7]),
-                                   n3i_wide_mul(3 * v * w * w, q[8]));
-    *ok &= ((n3i_mask)(u < 0) | (n3i_mask)(u > 0)) & ((n3i_mask)(v < 0) | (n3i_mask)(v > 0)) &
-           ((n3i_mask)(w < 0) | (n3i_mask)(w > 0));
-    return n3i_wide_add(n3i_wide_add(corners, n3i_wide_mul(6 * u * v * w, q[9])),
-                        n3i_wide_add(n3i_wide_add(ab, bc), ca));                    /* (5.2.1) */
+    c[0] = w * w;
+    c[1] = 2 * u * w;
+    c[2] = u * u;
+    c[3] = 2 * v * w;
+    c[4] = 2 * u * v;
+    c[5] = v * v;
+}
+
+N3I_WIDE_API void n3i_weights_of(const n3_real *uv, int count, int what, n3i_weights *weights)
+{
+    const int rows = what == N3I_NORMALS ? 6 : what == N3I_JETS ? 13 : 10;
+    n3_real rest[2 * N3I_WIDTH] = {0};
+    n3i_wide u, v, c[13];
+    int i, k;
+    for (i = 0; i < count; i += N3I_WIDTH, uv += 2 * N3I_WIDTH) {
+        if (count - i < N3I_WIDTH) {
+            memcpy(rest, uv, 2 * (size_t)(count - i) * sizeof *uv);
+            uv = rest;
+        }
+        n3i_pairs(uv, &u, &v);
+        if (what == N3I_NORMALS) n3i_wide_quadratic(u, v, 1 - u - v, c);
+        else n3i_wide_cubic(u, v, 1 - u - v, c);
+        N3I_UNROLL
+        for (k = 0; k < rows; k++) memcpy(&weights->c[k][i], &c[k], sizeof c[k]);
+    }
+}
+
+/* The control points from their coordinate row on. */
+N3I_WIDE_API void n3i_xyz_load(const n3_patch *p, int row, n3i_xyz q[10])
+{
+    int i;
+    N3I_UNROLL
+    for (i = 0; i < 9; i++) memcpy(&q[i], &p->p[i].x + row, sizeof *q);
+    q[9] = n3i_xyz_last(&p->p[9].x + row);
+}
+
+/* w a + u b + v c */
+N3I_WIDE_API n3i_xyz n3i_xyz_mix(n3_real w, n3i_xyz a, n3_real u, n3i_xyz b, n3_real v, n3i_xyz c)
+{
+    return w * a + u * b + v * c;
+}
+
+/* n3_patch_point. */
+N3I_WIDE_API n3i_xyz n3i_xyz_point(const n3i_xyz q[10], const n3i_weights *t, int i)
+{
+    n3i_xyz corners = n3i_xyz_mix(t->c[0][i], q[0], t->c[1][i], q[1], t->c[2][i], q[2]);
+    n3i_xyz ab = t->c[3][i] * q[3] + t->c[4][i] * q[4];
+    n3i_xyz bc = t->c[5][i] * q[5] + t->c[6][i] * q[6];
+    n3i_xyz ca = t->c[7][i] * q[7] + t->c[8][i] * q[8];
+    return (corners + t->c[9][i] * q[9]) + ((ab + bc) + ca);                        /* (5.2.1) */
 }
 
 /* n3_patch_jet, but for the point. */
-typedef struct n3i_wide_jet { n3i_wide_vec x, du, dv, duu, duv, dvv; } n3i_wide_jet;
-
-N3I_WIDE_API n3i_wide_jet n3i_wide_jet_at(const n3i_wide_vec p[10], n3i_wide u, n3i_wide v)
+N3I_WIDE_API void n3i_xyz_jet(const n3i_xyz p[10], n3_real u, n3_real v, n3_real w, n3i_xyz jet[6])
 {
-    n3i_wide w = 1 - u - v, three = n3i_wide_of(3), six = n3i_wide_of(6);
-    n3i_wide_vec q[10], r002, r200, r020, r101, r110, r011, pw;
-    n3i_wide_jet j;
+    n3i_xyz q[10], r002, r200, r020, r101, r110, r011, pw;
     int i;
-    for (i = 0; i < 10; i++) q[i] = n3i_wide_sub(p[i], p[0]);
-    r002 = n3i_wide_mix(w, q[0], u, q[3], v, q[8]);
-    r200 = n3i_wide_mix(w, q[4], u, q[1], v, q[5]);
-    r020 = n3i_wide_mix(w, q[7], u, q[6], v, q[2]);
-    r101 = n3i_wide_mix(w, q[3], u, q[4], v, q[9]);
-    r110 = n3i_wide_mix(w, q[9], u, q[5], v, q[6]);
-    r011 = n3i_wide_mix(w, q[8], u, q[9], v, q[7]);
-    pw = n3i_wide_mix(w, r002, u, r101, v, r011);
-    j.x = p[0];
-    j.du = n3i_wide_mul(three, n3i_wide_sub(n3i_wide_mix(w, r101, u, r200, v, r110), pw));
-    j.dv = n3i_wide_mul(three, n3i_wide_sub(n3i_wide_mix(w, r011, u, r110, v, r020), pw));
-    j.duu = n3i_wide_sub(r002, r101);
-    j.dvv = n3i_wide_sub(r002, r011);
-    j.duv = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r110, r101), j.dvv));
-    j.duu = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r200, r101), j.duu));
-    j.dvv = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r020, r011), j.dvv));
-    return j;
+    N3I_UNROLL
+    for (i = 0; i < 10; i++) q[i] = p[i] - p[0];
+    r002 = n3i_xyz_mix(w, q[0], u, q[3], v, q[8]);
+    r200 = n3i_xyz_mix(w, q[4], u, q[1], v, q[5]);
+    r020 = n3i_xyz_mix(w, q[7], u, q[6], v, q[2]);
+    r101 = n3i_xyz_mix(w, q[3], u, q[4], v, q[9]);
+    r110 = n3i_xyz_mix(w, q[9], u, q[5], v, q[6]);
+    r011 = n3i_xyz_mix(w, q[8], u, q[9], v, q[7]);
+    pw = n3i_xyz_mix(w, r002, u, r101, v, r011);
+    jet[1] = 3 * (n3i_xyz_mix(w, r101, u, r200, v, r110) - pw);
+    jet[2] = 3 * (n3i_xyz_mix(w, r011, u, r110, v, r020) - pw);
+    jet[3] = 6 * ((r200 - r101) + (r002 - r101));
+    jet[4] = 6 * ((r110 - r101) + (r002 - r011));
+    jet[5] = 6 * ((r020 - r011) + (r002 - r011));
 }
 
-/* What is wanted of N3I_WIDTH points: the point, the jet, or the normal, as numbers of a row. */
-N3I_WIDE_API n3i_mask n3i_wide_at(const n3i_wide_vec q[10], n3i_wide u, n3i_wide v, int what,
-                                  n3_real *const to[N3I_WIDTH])
+/* A third of du and dv, and the squares of the ways along a tree through the control points, whose
+   sum is the square of the patch's size. */
+N3I_WIDE_API void n3i_xyz_ways(const n3i_xyz q[10], const n3i_weights *t, int i, n3i_xyz way[3])
 {
-    n3i_wide size;
-    n3i_mask ok = (n3i_mask)(u <= u);
-    n3i_wide_jet j;
-    if (what != N3I_POINTS) j = n3i_wide_jet_at(q, u, v);
-    if (what == N3I_NORMALS) {
-        size = n3i_wide_inverse_size(q, &ok);
-        j.x = n3i_wide_normal(n3i_wide_mul(size, j.du), n3i_wide_mul(size, j.dv), N3I_CLEAR, &ok);
-    } else {
-        j.x = n3i_wide_point(q, u, v, &ok);
-    }
-    n3i_store(&j.x.x, what == N3I_JETS ? 18 : 3, to);
-    return ok;
+    n3i_xyz u0 = q[3] - q[0], u1 = q[4] - q[3], u2 = q[1] - q[4];
+    n3i_xyz u3 = q[9] - q[8], u4 = q[5] - q[9], u5 = q[6] - q[7];
+    n3i_xyz v0 = q[8] - q[0], v1 = q[9] - q[3], v2 = q[5] - q[4];
+    n3i_xyz v3 = q[7] - q[8], v4 = q[6] - q[9], v5 = q[2] - q[7];
+    way[0] = (t->c[0][i] * u0 + t->c[1][i] * u1 + t->c[2][i] * u2) +
+             (t->c[3][i] * u3 + t->c[4][i] * u4 + t->c[5][i] * u5);
+    way[1] = (t->c[0][i] * v0 + t->c[1][i] * v1 + t->c[2][i] * v2) +
+             (t->c[3][i] * v3 + t->c[4][i] * v4 + t->c[5][i] * v5);
+    way[2] = (u0 * u0 + u1 * u1 + u2 * u2) + (u3 * u3 + u4 * u4 + u5 * u5) +
+             (v0 * v0 + v3 * v3 + v5 * v5);
 }
 
-/* The plain form, into a row. */
-NAGATA3_API void n3i_plain_at(const n3_patch *p, const n3_real *uv, int what, n3_real *row)
+/* The normals of a batch from what n3i_xyz_ways gave, with points for lanes again; ok is 0 where
+   one is not. */
+NAGATA3_API void n3i_batch_normals(n3_vec way[N3I_BATCH][3], int count, n3_vec *out, int *ok)
+{
+    int i, k;
+    for (k = 0; k < count; k += N3I_WIDTH) {
+        const n3_real *from[N3I_WIDTH];
+        n3_real *to[N3I_WIDTH];
+        n3i_wide_vec lane[3];
+        n3i_wide size, inverse;
+        n3i_mask clear;
+        N3I_UNROLL
+        for (i = 0; i < N3I_WIDTH; i++) {
+            int point = k + i < count ? k + i : k;
+            from[i] = &way[point][0].x;
+            to[i] = &out[point].x;
+        }
+        n3i_load(from, 9, &lane[0].x);
+        size = lane[2].x + lane[2].y + lane[2].z;
+        clear = (n3i_mask)(size > 0);
+        inverse = 1 / n3i_pick(clear, size, n3i_wide_of(1));
+        clear &= (n3i_mask)(inverse - inverse <= 0); /* not infinite */
+        lane[0] = n3i_wide_normal(n3i_wide_mul(inverse, lane[0]), lane[1], N3I_CLEAR, &clear);
+        n3i_store(&lane[0].x, 3, to);
+        N3I_UNROLL
+        for (i = 0; i < N3I_WIDTH; i++) ok[k + i] = n3i_lane(clear, i);
+    }
+}
+
+/* What the wide form left out. */
+NAGATA3_API void n3i_plain_at(const n3_patch *p, const n3_real *uv, int what, n3_vec *out)
 {
     n3_jet j;
     if (what == N3I_JETS) j = n3_patch_jet(p, uv[0], uv[1]);
     else if (what == N3I_NORMALS) j.x = n3_patch_normal(p, uv[0], uv[1]);
     else j.x = n3_patch_point(p, uv[0], uv[1]);
-    memcpy(row, &j, what == N3I_JETS ? sizeof j : sizeof j.x);
+    memcpy(out, &j, what == N3I_JETS ? sizeof j : sizeof j.x);
+}
+
+N3I_WIDE_API void n3i_batch(const n3_patch *patch, const int *parent, const n3_real *uv, int count,
+                            int what, n3_vec *out)
+{
+    const int size = what == N3I_JETS ? 6 : what == N3I_NORMALS ? 3 : 1;
+    int i, k, row, ok[N3I_BATCH];
+    n3_vec way[N3I_BATCH][3];
+    n3i_weights t;
+    n3i_weights_of(uv, count, what, &t);
+    for (i = 0; i < count; i++) {
+        n3_vec *to = what == N3I_NORMALS ? way[i] : out + size * i;
+        n3i_xyz q[10], x[6];
+        if (what != N3I_NORMALS && !(t.c[9][i] < 0 || t.c[9][i] > 0)) {
+            n3i_plain_at(&patch[parent[i]], uv + 2 * i, what, to);
+            continue;
+        }
+        N3I_UNROLL
+        for (row = 0; row < N3I_ROWS; row++) {
+            n3i_xyz_load(&patch[parent[i]], row, q);
+            if (what == N3I_NORMALS) n3i_xyz_ways(q, &t, i, x);
+            else x[0] = n3i_xyz_point(q, &t, i);
+            if (what == N3I_JETS) n3i_xyz_jet(q, t.c[10][i], t.c[11][i], t.c[12][i], x);
+            N3I_UNROLL /* a fourth number gives way to the next */
+            for (k = 0; k + 1 < size; k++) memcpy(&to[k].x + row, &x[k], sizeof x[k]);
+            n3i_xyz_store(x[k], &to[k].x + row);
+        }
+    }
+    if (what != N3I_NORMALS) return;
+    n3i_batch_normals(way, count, out, ok);
+    for (i = 0; i < count; i++)
+        if (!ok[i]) n3i_plain_at(&patch[parent[i]], uv + 2 * i, what, out + i);
 }
 
 NAGATA3_API void n3i_evaluate(const n3_patch *patch, const int *parent, const n3_real *uv,
-                              int first, int last, int what, n3_real *out)
+                              int first, int last, int what, n3_vec *out)
 {
-    const size_t size = what == N3I_JETS ? 18 : 3;
-    const int plain = what == N3I_POINTS && N3I_WIDTH < 4; /* as to gather takes longer */
-    for (; plain && first < last; first++, out += 3)
+    const int plain = N3I_WIDTH == 1 && what != N3I_NORMALS, size = what == N3I_JETS ? 6 : 1;
+    for (; plain && first < last; first++, out += size)
         n3i_plain_at(&patch[parent[first]], uv + 2 * (size_t)first, what, out);
-    for (; first < last; first += N3I_WIDTH, out += N3I_WIDTH * size) {
-        const n3_real *from[N3I_WIDTH];
-        n3_real *to[N3I_WIDTH], row[2][N3I_WIDTH];
-        n3i_wide_vec q[10];
-        n3i_wide u, v;
-        n3i_mask ok;
-        int i;
-        for (i = 0; i < N3I_WIDTH; i++) {
-            int lane = first + i < last ? i : 0;
-            from[i] = &patch[parent[first + lane]].p[0].x;
-            to[i] = out + size * (size_t)lane;
-            row[0][i] = uv[2 * (size_t)(first + lane)];
-            row[1][i] = uv[2 * (size_t)(first + lane) + 1];
-        }
-        n3i_load(from, 30, &q[0].x);
-        memcpy(&u, row[0], sizeof u);
-        memcpy(&v, row[1], sizeof v);
-        ok = what == N3I_POINTS ? n3i_wide_at(q, u, v, N3I_POINTS, to)
-             : what == N3I_JETS ? n3i_wide_at(q, u, v, N3I_JETS, to)
-                                : n3i_wide_at(q, u, v, N3I_NORMALS, to);
-        for (i = 0; i < N3I_WIDTH && first + i < last; i++)
-            if (!n3i_lane(ok, i))
-                n3i_plain_at(&patch[parent[first + i]], uv + 2 * (size_t)(first + i), what, to[i]);
+    for (; first < last; first += N3I_BATCH, out += N3I_BATCH * size) {
+        int count = last - first < N3I_BATCH ? last - first : N3I_BATCH;
+        const int *p = parent + first;
+        const n3_real *at = uv + 2 * (size_t)first;
+        if (what == N3I_POINTS) n3i_batch(patch, p, at, count, N3I_POINTS, out);
+        else if (what == N3I_JETS) n3i_batch(patch, p, at, count, N3I_JETS, out);
+        else n3i_batch(patch, p, at, count, N3I_NORMALS, out);
     }
 }
 
 NAGATA3_API void n3_patch_points(const n3_patch *patch, const int *parent, const n3_real *uv,
                                  int first, int last, n3_vec *point)
 {
-    n3i_evaluate(patch, parent, uv, first, last, N3I_POINTS, &point->x);
+    n3i_evaluate(patch, parent, uv, first, last, N3I_POINTS, point);
 }
 
 NAGATA3_API void n3_patch_jets(const n3_patch *patch, const int *parent, const n3_real *uv,
                                int first, int last, n3_jet *jet)
 {
-    n3i_evaluate(patch, parent, uv, first, last, N3I_JETS, &jet->x.x);
+    n3i_evaluate(patch, parent, uv, first, last, N3I_JETS, &jet->x);
 }
 
 NAGATA3_API void n3_patch_normals(const n3_patch *patch, const int *parent, const n3_real *uv,
                                   int first, int last, n3_vec *normal)
 {
-    n3i_evaluate(patch, parent, uv, first, last, N3I_NORMALS, &normal->x);
+    n3i_evaluate(patch, parent, uv, first, last, N3I_NORMALS, normal);
 }
 
 /* ---- Definitions: refinement ---- */
