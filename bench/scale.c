@@ -6,7 +6,7 @@
  * bytes that it writes, on memory that was touched before; the best of the rounds counts. The bytes
  * are all that the caller holds at once: mesh, workspace and results. */
 #define _POSIX_C_SOURCE 199309L
-#include "nagata3.h"
+#include "torus.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -46,23 +46,6 @@ static void *room(job *j, size_t count, size_t size)
     return memset(p, 0, count * size);
 }
 
-static void make_torus(job *j, int nu, int nv)
-{
-    const double turn = 2 * 3.14159265358979323846;
-    int i, k, *t = j->triangle;
-    for (i = 0; i < nu; i++)
-        for (k = 0; k < nv; k++, t += 6) {
-            double u = turn * i / nu, v = turn * k / nv, r = 2 + cos(v);
-            int right = (i + 1) % nu * nv, up = (k + 1) % nv;
-            j->point[i * nv + k] =
-                n3_v((n3_real)(r * cos(u)), (n3_real)(r * sin(u)), (n3_real)sin(v));
-            t[0] = t[3] = i * nv + k;
-            t[1] = right + k;
-            t[2] = t[4] = right + up;
-            t[5] = i * nv + up;
-        }
-}
-
 /* Room for a torus of n * n points; its edges are three times as many. */
 static void job_make(job *j, int n)
 {
@@ -81,7 +64,7 @@ static void job_make(job *j, int n)
     j->net = (n3_vec *)room(j, points + 2 * edges + triangles, sizeof(n3_vec));
     j->fine = (n3_vec *)room(j, points + edges, sizeof(n3_vec));
     j->fine_triangle = (int *)room(j, 4 * triangles, 3 * sizeof(int));
-    make_torus(j, n, n);
+    torus_make(n, n, j->point, NULL, j->triangle);
     j->mesh.point = &j->point->x;
     j->mesh.triangle = j->triangle;
     j->smooth = j->mesh;
