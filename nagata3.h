@@ -3773,26 +3773,7 @@ NAGATA3_API n3i_spot n3i_inner_spot(const n3i_cut *c, int i, int j)
    Rows: strip i is between row i and the next. Else strips 0 to 2 are between the sides and the
    inner lattice, the others between its rows. On the way through the facets: at which points of
    the chains; the index of the low chain's first point inside. */
-typedef struct n3i_walk { int strip, parts[2], at[2], first; } n3i_walk;
-
-NAGATA3_API void n3i_walk_strip(const n3i_cut *c, n3i_walk *w, int strip, int first)
-{
-    w->strip = strip;
-    w->first = first;
-    w->at[0] = w->at[1] = 0;
-    w->parts[0] = c->inner ? c->inner + 1 - strip : n3i_row_parts(c, strip);
-    w->parts[1] = c->inner ? w->parts[0] - 1 : n3i_row_parts(c, strip + 1);
-    if (!c->inner || strip >= 3) return;
-    w->parts[0] = c->side[strip];
-    w->parts[1] = c->inner - 2;
-}
-
-NAGATA3_API n3i_walk n3i_walk_start(const n3i_cut *c)
-{
-    n3i_walk w;
-    n3i_walk_strip(c, &w, 0, n3i_cut_first(c));
-    return w;
-}
+typedef struct n3i_walk { int strip, parts[2], at[2], first; n3i_spot spot[2]; } n3i_walk;
 
 /* Where the walk is on the low or on the high chain. */
 NAGATA3_API n3i_spot n3i_walk_spot(const n3i_cut *c, const n3i_walk *w, int high)
@@ -3804,6 +3785,26 @@ NAGATA3_API n3i_spot n3i_walk_spot(const n3i_cut *c, const n3i_walk *w, int high
     if (!high) return n3i_side_spot(c, w->strip, i);
     if (w->strip == 0) return n3i_inner_spot(c, i, 0);
     return w->strip == 1 ? n3i_inner_spot(c, last - i, i) : n3i_inner_spot(c, 0, last - i);
+}
+
+NAGATA3_API void n3i_walk_strip(const n3i_cut *c, n3i_walk *w, int strip, int first)
+{
+    int beside = c->inner && strip < 3;
+    w->strip = strip;
+    w->first = first;
+    w->at[0] = w->at[1] = 0;
+    if (strip >= c->strips) return;
+    w->parts[0] = beside ? c->side[strip] : c->inner ? c->inner + 1 - strip : n3i_row_parts(c, strip);
+    w->parts[1] = beside ? c->inner - 2 : c->inner ? c->inner - strip : n3i_row_parts(c, strip + 1);
+    w->spot[0] = n3i_walk_spot(c, w, 0);
+    w->spot[1] = n3i_walk_spot(c, w, 1);
+}
+
+NAGATA3_API n3i_walk n3i_walk_start(const n3i_cut *c)
+{
+    n3i_walk w;
+    n3i_walk_strip(c, &w, 0, n3i_cut_first(c));
+    return w;
 }
 
 /* Whether the next facet stands on the low chain: on it the middle of the next part comes first.
@@ -3819,10 +3820,10 @@ NAGATA3_API int n3i_walk_is_low(const n3i_cut *c, const n3i_walk *w)
 NAGATA3_API void n3i_walk_step(const n3i_cut *c, n3i_walk *w, n3i_spot out[3])
 {
     int high = !n3i_walk_is_low(c, w);
-    out[high] = n3i_walk_spot(c, w, high);
-    out[2] = n3i_walk_spot(c, w, !high);
+    out[high] = w->spot[high];
+    out[2] = w->spot[!high];
     w->at[high]++;
-    out[!high] = n3i_walk_spot(c, w, high);
+    out[!high] = w->spot[high] = n3i_walk_spot(c, w, high);
     if (w->at[0] == w->parts[0] && w->at[1] == w->parts[1])
         n3i_walk_strip(c, w, w->strip + 1, w->first + n3i_row_inside(c, w->strip));
 }
@@ -3865,15 +3866,18 @@ NAGATA3_API void n3i_normal_net(const n3_patch *p, n3_vec out[5][5])
 
 /* The patch as its second differences at the corners, second derivatives over 6: along u, along
    both, along v. And which share of a vector leads away from the patch: the one along N, and of the
-   rest not more than the slope, the largest tangent of an angle between its normals and N. */
-typedef struct n3i_bend { n3_vec at[3][3], N; n3_real slope; } n3i_bend;
+   rest not more than the slope, the largest tangent of an angle between its normals and N; below 0
+   while nobody has asked. */
+typedef struct n3i_bend { const n3_patch *patch; n3_vec at[3][3], N; n3_real slope; } n3i_bend;
 
 /* No normal of the patch is beyond those of its net. */
-NAGATA3_API void n3i_bend_slope(const n3_patch *p, n3i_bend *b)
+NAGATA3_API void n3i_bend_slope(n3i_bend *b)
 {
-    n3_patch boxed = n3i_patch_boxed(p);
+    n3_patch boxed;
     n3_vec net[5][5], sum = n3_v(0, 0, 0);
     int i, j;
+    if (b->slope >= 0) return;
+    boxed = n3i_patch_boxed(b->patch);
     n3i_normal_net(&boxed, net);
     for (i = 0; i < 5; i++)
         for (j = 0; i + j < 5; j++) sum = n3_add(sum, net[i][j]);
@@ -3900,20 +3904,25 @@ NAGATA3_API n3i_bend n3i_bend_of(const n3_patch *p)
         b.at[c][1] = n3_sub(n3_sub(p->p[at[i + 1][j + 1]], p->p[at[i + 1][j]]), v);
         b.at[c][2] = n3_sub(n3_sub(p->p[at[i][j + 2]], p->p[at[i][j + 1]]), v);
     }
-    n3i_bend_slope(p, &b);
+    b.patch = p;
+    b.N = n3_v(0, 0, 0);
+    b.slope = -1;
     return b;
 }
 
-/* The second difference at a spot along the way from x to y. */
-NAGATA3_API n3_vec n3i_bend_along(const n3i_bend *b, const n3i_spot *at, const n3i_spot *x,
-                                  const n3i_spot *y)
+/* The second differences along the way from x to y, at the corners. */
+NAGATA3_API void n3i_bend_along(const n3i_bend *b, const n3i_spot *x, const n3i_spot *y,
+                                n3_vec along[3])
 {
-    n3_real u = y->u - x->u, v = y->v - x->v, w = 1 - at->u - at->v;
-    n3_vec of[3];
+    n3_real u = y->u - x->u, v = y->v - x->v;
     int c;
     for (c = 0; c < 3; c++)
-        of[c] = n3i_mix(u * u, b->at[c][0], 2 * u * v, b->at[c][1], v * v, b->at[c][2]);
-    return n3i_mix(w, of[0], at->u, of[1], at->v, of[2]);
+        along[c] = n3i_mix(u * u, b->at[c][0], 2 * u * v, b->at[c][1], v * v, b->at[c][2]);
+}
+
+NAGATA3_API n3_vec n3i_bend_at(const n3_vec along[3], const n3i_spot *at)
+{
+    return n3i_mix(1 - at->u - at->v, along[0], at->u, along[1], at->v, along[2]);
 }
 
 /* The control vectors of the difference between a facet's part of the patch and the facet, with
@@ -3925,16 +3934,19 @@ NAGATA3_API n3_vec n3i_bend_along(const n3i_bend *b, const n3i_spot *at, const n
    out: the sides' two each, then the centre. */
 NAGATA3_API void n3i_facet_net(const n3i_bend *b, const n3i_spot s[3], n3_vec out[7])
 {
-    n3_vec first = n3_v(0, 0, 0);
+    n3_vec first = n3_v(0, 0, 0), along[3], gx, gy;
     int i;
     for (i = 0; i < 3; i++) {
         const n3i_spot *x = &s[i], *y = &s[(i + 1) % 3];
-        n3_vec gx = n3i_bend_along(b, x, x, y), gy = n3i_bend_along(b, y, x, y);
-        out[2 * i] = n3i_over(n3_add(gx, n3_add(gx, gy)), -3);
-        out[2 * i + 1] = n3i_over(n3_add(gy, n3_add(gx, gy)), -3);
+        n3i_bend_along(b, x, y, along);
+        gx = n3i_bend_at(along, x);
+        gy = n3i_bend_at(along, y);
+        out[2 * i] = n3_mul(-(n3_real)1 / 3, n3_add(gx, n3_add(gx, gy)));
+        out[2 * i + 1] = n3_mul(-(n3_real)1 / 3, n3_add(gy, n3_add(gx, gy)));
         if (i != 1) first = n3_add(first, i == 0 ? gx : gy);
     }
-    first = n3_sub(first, n3i_bend_along(b, &s[0], &s[1], &s[2]));
+    n3i_bend_along(b, &s[1], &s[2], along);
+    first = n3_sub(first, n3i_bend_at(along, &s[0]));
     out[6] = n3_add(n3_mul((n3_real)1 / 2, first), n3_add(out[0], out[5]));
 }
 
@@ -3947,11 +3959,15 @@ NAGATA3_API n3_real n3i_spread(n3_real a, n3_real b, n3_real c)
     return a * b * c / (2 * (a * b + b * c + c * a) - (a * a + b * b + c * c));
 }
 
-/* How far a difference can lead away from the patch: its length, or the share that counts. */
-NAGATA3_API n3_real n3i_bend_size(const n3i_bend *b, n3_vec d)
+/* How far a difference can lead away from the patch: its length, or the share that counts; size, if
+   that is larger. */
+NAGATA3_API n3_real n3i_bend_size(n3i_bend *b, n3_vec d, n3_real size)
 {
-    n3_real all = n3_len(d), share = n3i_abs(n3_dot(d, b->N)) + b->slope * all;
-    return share < all ? share : all;
+    n3_real all = n3_len(d), share;
+    if (all <= size) return size;
+    n3i_bend_slope(b);
+    share = n3i_abs(n3_dot(d, b->N)) + b->slope * all;
+    return n3i_larger(size, share < all ? share : all);
 }
 
 /* Whether the difference is nowhere longer than the distance. With D the longer vector of each
@@ -3960,10 +3976,12 @@ NAGATA3_API n3_real n3i_bend_size(const n3i_bend *b, n3_vec d)
        3 (D_12 xy + D_23 yz + D_31 zx) + 3 xyz (2 |d_123| - D_12 - D_23 - D_31),     xyz <= 1/27 */
 NAGATA3_API int n3i_is_within(const n3_vec net[7], n3_vec N, n3_real slope, n3_real distance)
 {
-    n3_real size[7], D[3], excess, bound;
+    n3_real size[7], D[3], excess, bound, inverse = 1 / distance;
     int i;
-    for (i = 0; i < 7; i++)
-        size[i] = (n3i_abs(n3_dot(net[i], N)) + slope * n3_len(net[i])) / distance;
+    for (i = 0; i < 7; i++) {
+        n3_vec d = n3_mul(inverse, net[i]);
+        size[i] = n3i_abs(n3_dot(d, N)) + slope * n3i_sqrt(n3_dot(d, d));
+    }
     for (i = 0; i < 3; i++) {
         D[i] = n3i_larger(size[2 * i], size[2 * i + 1]);
         if (!(3 * D[i] <= 4)) return 0;
@@ -3975,7 +3993,7 @@ NAGATA3_API int n3i_is_within(const n3_vec net[7], n3_vec N, n3_real slope, n3_r
 
 /* The number of facets; 0 if one is not within the distance, or is turned over or without an area,
    which can be only where rows have fewer parts than there are rows. */
-NAGATA3_API int n3i_cut_facets(const n3i_cut *c, const n3i_bend *b, n3_real distance)
+NAGATA3_API int n3i_cut_facets(const n3i_cut *c, n3i_bend *b, n3_real distance)
 {
     n3i_walk walk = n3i_walk_start(c);
     n3i_spot s[3];
@@ -3987,6 +4005,7 @@ NAGATA3_API int n3i_cut_facets(const n3i_cut *c, const n3i_bend *b, n3_real dist
         if (!c->inner && c->parts < c->strips && area <= 16 * N3_EPS) return 0;
         n3i_facet_net(b, s, net);
         if (n3i_is_within(net, n3_v(0, 0, 0), 1, distance)) continue;
+        n3i_bend_slope(b);
         if (b->slope < 1 && n3i_is_within(net, b->N, b->slope, distance)) continue;
         return 0;
     }
@@ -4008,22 +4027,26 @@ NAGATA3_API int n3i_parts(n3_real size, n3_real distance)
 /* The longest second difference along a side, or half the largest twist there if that is longer:
    the second difference along the side and across, by the way from the third corner to that place
    in the middle half of the side where it is least. */
-NAGATA3_API n3_real n3i_side_size(const n3i_bend *b, int side)
+NAGATA3_API n3_real n3i_side_size(n3i_bend *b, int side)
 {
     static const n3i_spot corner[3] = {{0, 0, 0}, {1, 1, 0}, {2, 0, 1}};
     const n3i_spot *x = &corner[side], *y = &corner[(side + 1) % 3], *z = &corner[(side + 2) % 3];
     const n3_real quarter = (n3_real)1 / 4;
+    n3_vec way[3][3];
     n3_real size = 0, square, s;
     int i;
+    n3i_bend_along(b, x, y, way[0]);
+    n3i_bend_along(b, z, x, way[1]);
+    n3i_bend_along(b, z, y, way[2]);
     for (i = 0; i < 2; i++) {
         const n3i_spot *at = i ? y : x;
-        n3_vec along = n3i_bend_along(b, at, x, y), across;
-        across = n3_mul(quarter, n3_sub(n3i_bend_along(b, at, z, x), n3i_bend_along(b, at, z, y)));
+        n3_vec along = n3i_bend_at(way[0], at), across;
+        across = n3_mul(quarter, n3_sub(n3i_bend_at(way[1], at), n3i_bend_at(way[2], at)));
         square = n3_dot(along, along);
         s = square > 0 ? n3_dot(across, along) / square : 0;
         if (!(n3i_abs(s) <= quarter)) s = s < 0 ? -quarter : quarter;
         size = n3i_larger(size, n3_len(along));
-        size = n3i_larger(size, n3i_bend_size(b, n3_sub(across, n3_mul(s, along))));
+        size = n3i_bend_size(b, n3_sub(across, n3_mul(s, along)), size);
     }
     return size;
 }
