@@ -4165,29 +4165,49 @@ NAGATA3_API void n3i_cut_edge_points(const n3_mesh *m, const n3_topology *t, con
     }
 }
 
-/* What n3_mesh_refine_cut makes, and how far it has come. */
+/* What n3_mesh_refine_cut makes, and how far it has come; spots of a triangle on their way to its
+   points and normals. */
 typedef struct n3i_made {
     n3_vec *point, *normal;
     int *triangle, *corner, *origin, *parent;
     n3_real *uv;
-    int triangles, normals;
+    int triangles, normals, count, to_point[N3I_BATCH], to_normal[N3I_BATCH];
+    n3_real at[2 * N3I_BATCH];
 } n3i_made;
 
-NAGATA3_API void n3i_make_spot(const n3_patch *p, const n3i_spot *s, int point, int inside,
-                               int triangle, const n3i_made *out)
+/* Those on sides have their points from the edges. */
+NAGATA3_API void n3i_make_batch(const n3_patch *p, int inside, n3i_made *out)
 {
-    if (out->point && inside) out->point[point] = n3_patch_point(p, s->u, s->v);
-    if (out->normal) out->normal[out->normals + s->index] = n3_patch_normal(p, s->u, s->v);
+    static const int parent[N3I_BATCH] = {0};
+    n3_vec x[N3I_BATCH];
+    int i;
+    if (out->normal) n3_patch_normals(p, parent, out->at, 0, out->count, x);
+    for (i = 0; i < out->count && out->normal; i++) out->normal[out->to_normal[i]] = x[i];
+    inside = inside && out->point;
+    if (inside) n3_patch_points(p, parent, out->at, 0, out->count, x);
+    for (i = 0; i < out->count && inside; i++) out->point[out->to_point[i]] = x[i];
+    out->count = 0;
+}
+
+NAGATA3_API void n3i_make_spot(const n3_patch *p, const n3i_spot *s, int point, int inside,
+                               int triangle, n3i_made *out)
+{
     if (out->parent) out->parent[point] = triangle;
-    if (!out->uv) return;
-    out->uv[2 * (size_t)point] = s->u;
-    out->uv[2 * (size_t)point + 1] = s->v;
+    if (out->uv) {
+        out->uv[2 * (size_t)point] = s->u;
+        out->uv[2 * (size_t)point + 1] = s->v;
+    }
+    out->to_point[out->count] = point;
+    out->to_normal[out->count] = out->normals + s->index;
+    out->at[2 * out->count] = s->u;
+    out->at[2 * out->count + 1] = s->v;
+    if (++out->count == N3I_BATCH) n3i_make_batch(p, inside, out);
 }
 
 /* The points of a triangle: its sides', each without its end, then those inside, which a collapsed
    one has not. */
 NAGATA3_API void n3i_make_spots(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
-                                const n3_cut *cut, int triangle, const n3i_made *out)
+                                const n3_cut *cut, int triangle, n3i_made *out)
 {
     n3i_cut c = n3i_mesh_cut_of(t, cut, triangle);
     n3_patch p = n3i_mesh_patch(m, t, net, triangle);
@@ -4198,6 +4218,7 @@ NAGATA3_API void n3i_make_spots(const n3_mesh *m, const n3_topology *t, const n3
             int point = n3i_cut_point(m, t, cut, triangle, &c, s.index);
             n3i_make_spot(&p, &s, point, 0, triangle, out);
         }
+    n3i_make_batch(&p, 0, out);
     for (row = 0; row < rows; row++) {
         for (i = 0; i < n3i_row_inside(&c, row); i++) {
             n3i_spot s = c.inner ? n3i_inner_spot(&c, i, row) : n3i_row_spot(&c, row, i + 1, first);
@@ -4206,6 +4227,7 @@ NAGATA3_API void n3i_make_spots(const n3_mesh *m, const n3_topology *t, const n3
         }
         first += n3i_row_inside(&c, row);
     }
+    n3i_make_batch(&p, 1, out);
 }
 
 NAGATA3_API void n3i_make_facets(const n3_mesh *m, const n3_topology *t, const n3_cut *cut,
@@ -4230,8 +4252,9 @@ NAGATA3_API void n3i_make_facets(const n3_mesh *m, const n3_topology *t, const n
 NAGATA3_API void n3i_make_parents(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
                                   const n3_cut *cut, int *parent, n3_real *uv)
 {
-    n3i_made out = {NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0, 0};
+    n3i_made out;
     int i;
+    memset(&out, 0, sizeof out);
     out.parent = parent;
     out.uv = uv;
     for (i = 0; i < m->points; i++) {
@@ -4246,9 +4269,15 @@ NAGATA3_API n3_status n3_mesh_refine_cut(const n3_mesh *m, const n3_topology *t,
                                          n3_vec *normal, int *corner, int *origin, int *parent,
                                          n3_real *uv)
 {
-    n3i_made out = {point, normal, triangle, corner, origin, NULL, NULL, 0, 0};
     n3_status status = n3i_check(m, t, NULL);
+    n3i_made out;
     int f, i;
+    memset(&out, 0, sizeof out);
+    out.point = point;
+    out.normal = normal;
+    out.triangle = triangle;
+    out.corner = corner;
+    out.origin = origin;
     if (status != N3_OK) return status;
     if (!net || !cut) return N3_NULL_POINTER;
     for (i = 0; i < m->points && point; i++) point[i] = net[i];
