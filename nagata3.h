@@ -3803,6 +3803,7 @@ NAGATA3_API void n3i_walk_strip(const n3i_cut *c, n3i_walk *w, int strip, int fi
 NAGATA3_API n3i_walk n3i_walk_start(const n3i_cut *c)
 {
     n3i_walk w;
+    memset(&w, 0, sizeof w);
     n3i_walk_strip(c, &w, 0, n3i_cut_first(c));
     return w;
 }
