@@ -2100,7 +2100,7 @@ N3I_WIDE_API void n3i_xyz_store(n3i_xyz x, n3_real *to)
 {
     int i;
     N3I_UNROLL
-    for (i = 0; i < 3 && i < N3I_XYZ; i++) to[i] = x[i];
+    for (i = 0; i < (N3I_XYZ < 3 ? N3I_XYZ : 3); i++) to[i] = x[i];
 }
 
 /* Rows into columns, by halving. */
