@@ -2025,17 +2025,20 @@ NAGATA3_API n3_status n3_mesh_normals(const n3_mesh *m, const n3_topology *t, n3
 #define N3I_BYTES 16
 #endif
 #define N3I_WIDE_API NAGATA3_API __attribute__((always_inline))
-#define N3I_UNROLL   _Pragma("GCC unroll 8")
+#define N3I_UNROLL   _Pragma("GCC unroll 16")
 typedef n3_real n3i_wide __attribute__((vector_size(N3I_BYTES)));
 typedef __typeof__(*(n3i_wide *)0 > *(n3i_wide *)0) n3i_mask; /* integers of the same size */
+typedef n3_real n3i_xyz __attribute__((vector_size(N3I_PICK(N3I_BYTES, 16))));
 #else
 #define N3I_WIDE_API NAGATA3_API
 #define N3I_UNROLL
 typedef n3_real n3i_wide;
 typedef int n3i_mask;
+typedef n3_real n3i_xyz;
 #endif
 
 enum { N3I_WIDTH = sizeof(n3i_wide) / sizeof(n3_real) };
+enum { N3I_XYZ = sizeof(n3i_xyz) / sizeof(n3_real) };
 
 typedef struct n3i_wide_vec { n3i_wide x, y, z; } n3i_wide_vec;
 
@@ -2103,6 +2106,45 @@ N3I_WIDE_API void n3i_exchange(n3i_wide *a, n3i_wide *b, int step)
 #endif
 }
 
+/* The first and the second of N3I_WIDTH pairs. */
+N3I_WIDE_API void n3i_pairs(const n3_real *from, n3i_wide *first, n3i_wide *second)
+{
+    n3i_wide p, q;
+    memcpy(&p, from, sizeof p);
+    memcpy(&q, from + N3I_WIDTH, sizeof q);
+#if N3I_BYTES == N3I_PICK(16, 8)
+    *first = __builtin_shufflevector(p, q, 0, 2);
+    *second = __builtin_shufflevector(p, q, 1, 3);
+#elif N3I_BYTES == N3I_PICK(32, 16)
+    *first = __builtin_shufflevector(p, q, 0, 2, 4, 6);
+    *second = __builtin_shufflevector(p, q, 1, 3, 5, 7);
+#else
+    *first = __builtin_shufflevector(p, q, 0, 2, 4, 6, 8, 10, 12, 14);
+    *second = __builtin_shufflevector(p, q, 1, 3, 5, 7, 9, 11, 13, 15);
+#endif
+}
+
+/* A row of a point that nothing follows: four numbers begin before it. */
+N3I_WIDE_API n3i_xyz n3i_xyz_last(const n3_real *from)
+{
+    n3i_xyz x;
+#if N3I_BYTES == N3I_PICK(16, 0)
+    memcpy(&x, from, sizeof x);
+#else
+    memcpy(&x, from - 1, sizeof x);
+    x = __builtin_shufflevector(x, x, 1, 2, 3, 3);
+#endif
+    return x;
+}
+
+/* Of four numbers, three. */
+N3I_WIDE_API void n3i_xyz_store(n3i_xyz x, n3_real *to)
+{
+    int i;
+    N3I_UNROLL
+    for (i = 0; i < (N3I_XYZ < 3 ? N3I_XYZ : 3); i++) to[i] = x[i];
+}
+
 /* Rows into columns, by halving. */
 N3I_WIDE_API void n3i_turn(n3i_wide row[N3I_WIDTH])
 {
@@ -2120,6 +2162,13 @@ N3I_WIDE_API n3i_wide n3i_wide_abs(n3i_wide a) { return n3i_abs(a); }
 N3I_WIDE_API int n3i_lane(n3i_mask mask, int lane) { return lane == 0 && mask; }
 N3I_WIDE_API n3i_wide n3i_wide_sqrt(n3i_wide a) { return n3i_sqrt(a); }
 N3I_WIDE_API void n3i_turn(n3i_wide row[N3I_WIDTH]) { (void)row; }
+N3I_WIDE_API void n3i_pairs(const n3_real *from, n3i_wide *first, n3i_wide *second)
+{
+    *first = from[0];
+    *second = from[1];
+}
+N3I_WIDE_API n3i_xyz n3i_xyz_last(const n3_real *from) { return *from; }
+N3I_WIDE_API void n3i_xyz_store(n3i_xyz x, n3_real *to) { *to = x; }
 #endif
 
 /* The first count numbers of every lane; count is at least N3I_WIDTH. */
@@ -2759,13 +2808,13 @@ NAGATA3_API n3_vec n3i_mesh_centre(const n3_mesh *m, const n3_topology *t, const
    the higher, from either of which the rules give the same bits; b, across the chord and as long; p,
    the control point next to the one, then to the other. same: the triangles name the same normals.
    ok: the lanes that need no plain form. */
-enum { N3I_BATCH = 32 };
-typedef n3_real n3i_rows[3][N3I_BATCH];
-typedef struct n3i_batch {
+enum { N3I_GROUP = 32 };
+typedef n3_real n3i_rows[3][N3I_GROUP];
+typedef struct n3i_group {
     n3i_rows x[2], n[2], b, p[2];
-    int point[2][N3I_BATCH], normal[2][N3I_BATCH], same[N3I_BATCH];
-    n3i_mask ok[(int)N3I_BATCH / (int)N3I_WIDTH];
-} n3i_batch;
+    int point[2][N3I_GROUP], normal[2][N3I_GROUP], same[N3I_GROUP];
+    n3i_mask ok[(int)N3I_GROUP / (int)N3I_WIDTH];
+} n3i_group;
 
 N3I_WIDE_API n3i_wide_vec n3i_from_rows(n3i_rows row, int first)
 {
@@ -2784,7 +2833,7 @@ N3I_WIDE_API void n3i_to_rows(n3i_wide_vec a, n3i_rows row, int first)
 }
 
 /* Vectors into three rows; index -1: zero. */
-NAGATA3_API void n3i_batch_vectors(const n3_real *base, size_t stride, const int *index, int count,
+NAGATA3_API void n3i_group_vectors(const n3_real *base, size_t stride, const int *index, int count,
                                    n3i_rows row)
 {
     static const n3_real zero[3] = {0, 0, 0};
@@ -2797,68 +2846,68 @@ NAGATA3_API void n3i_batch_vectors(const n3_real *base, size_t stride, const int
 }
 
 /* count edges from first on, the last one again to fill N3I_WIDTH. */
-NAGATA3_API void n3i_batch_ends(const n3_mesh *m, const n3_topology *t, int first, int count,
-                                n3i_batch *batch)
+NAGATA3_API void n3i_group_ends(const n3_mesh *m, const n3_topology *t, int first, int count,
+                                n3i_group *group)
 {
     int i, k, point[2], normal[2], filled = (count + N3I_WIDTH - 1) / N3I_WIDTH * N3I_WIDTH;
     for (i = 0; i < filled; i++) {
         int edge = first + (i < count ? i : count - 1);
-        batch->same[i] = n3i_common_ends(m, t, edge, point, normal);
+        group->same[i] = n3i_common_ends(m, t, edge, point, normal);
         for (k = 0; k < 2; k++) {
-            batch->point[k][i] = point[k];
-            batch->normal[k][i] = normal[k];
+            group->point[k][i] = point[k];
+            group->normal[k][i] = normal[k];
         }
     }
     for (k = 0; k < 2; k++) {
-        n3i_batch_vectors(m->point, m->point_stride, batch->point[k], filled, batch->x[k]);
-        n3i_batch_vectors(m->normal, m->normal_stride, batch->normal[k], filled, batch->n[k]);
+        n3i_group_vectors(m->point, m->point_stride, group->point[k], filled, group->x[k]);
+        n3i_group_vectors(m->normal, m->normal_stride, group->normal[k], filled, group->n[k]);
     }
 }
 
 /* n3i_made_unit. */
-NAGATA3_API void n3i_batch_normals(n3i_batch *batch, int count)
+NAGATA3_API void n3i_group_normals(n3i_group *group, int count)
 {
     int i, k;
     for (i = 0; i < count; i += N3I_WIDTH) {
-        n3i_mask *ok = &batch->ok[i / N3I_WIDTH];
+        n3i_mask *ok = &group->ok[i / N3I_WIDTH];
         n3i_wide one = n3i_wide_of(1), length;
         *ok = (n3i_mask)(one <= one);
         for (k = 0; k < 2; k++) {
-            n3i_wide_vec n = n3i_from_rows(batch->n[k], i);
+            n3i_wide_vec n = n3i_from_rows(group->n[k], i);
             n3i_mask is_unit = (n3i_mask)(n3i_wide_abs(n3i_wide_dot(n, n) - one) <= 8 * N3_EPS);
             if (n3i_all(is_unit)) continue;
             n = n3i_wide_pick(is_unit, n, n3i_wide_unit(n, &length, ok));
-            n3i_to_rows(n, batch->n[k], i);
+            n3i_to_rows(n, group->n[k], i);
         }
     }
 }
 
 /* What the paper's rule needs first: two short loops, of which the processor does several rounds at
    once, and not one long one. */
-NAGATA3_API void n3i_batch_across(n3i_batch *batch, int count)
+NAGATA3_API void n3i_group_across(n3i_group *group, int count)
 {
     int i;
     for (i = 0; i < count; i += N3I_WIDTH) {
-        n3i_wide_vec x0 = n3i_from_rows(batch->x[0], i), x1 = n3i_from_rows(batch->x[1], i);
-        n3i_wide_vec n0 = n3i_from_rows(batch->n[0], i), n1 = n3i_from_rows(batch->n[1], i);
+        n3i_wide_vec x0 = n3i_from_rows(group->x[0], i), x1 = n3i_from_rows(group->x[1], i);
+        n3i_wide_vec n0 = n3i_from_rows(group->n[0], i), n1 = n3i_from_rows(group->n[1], i);
         n3i_wide_vec d = n3i_wide_sub(x1, x0);
-        n3i_to_rows(n3i_wide_across(d, n0, n1, &batch->ok[i / N3I_WIDTH]), batch->b, i);
+        n3i_to_rows(n3i_wide_across(d, n0, n1, &group->ok[i / N3I_WIDTH]), group->b, i);
     }
 }
 
-NAGATA3_API void n3i_batch_edges(n3i_batch *batch, int count, const n3_options *o)
+NAGATA3_API void n3i_group_edges(n3i_group *group, int count, const n3_options *o)
 {
     int i, k;
     for (i = 0; i < count; i += N3I_WIDTH) {
         n3i_wide_vertex v[2];
         n3i_wide_vec p[2];
         for (k = 0; k < 2; k++) {
-            v[k].x = n3i_from_rows(batch->x[k], i);
-            v[k].n = n3i_from_rows(batch->n[k], i);
+            v[k].x = n3i_from_rows(group->x[k], i);
+            v[k].n = n3i_from_rows(group->n[k], i);
         }
-        if (n3i_is_arc(o)) n3i_wide_edge_arc(v[0], v[1], p, &batch->ok[i / N3I_WIDTH]);
-        else n3i_wide_edge_paper(v[0], v[1], n3i_from_rows(batch->b, i), o, p);
-        for (k = 0; k < 2; k++) n3i_to_rows(p[k], batch->p[k], i);
+        if (n3i_is_arc(o)) n3i_wide_edge_arc(v[0], v[1], p, &group->ok[i / N3I_WIDTH]);
+        else n3i_wide_edge_paper(v[0], v[1], n3i_from_rows(group->b, i), o, p);
+        for (k = 0; k < 2; k++) n3i_to_rows(p[k], group->p[k], i);
     }
 }
 
@@ -2875,20 +2924,20 @@ NAGATA3_API void n3_mesh_edges(const n3_mesh *m, const n3_topology *t, const n3_
                                int first, int last, n3_vec *net, unsigned *flags)
 {
     n3_options o = n3i_defaults(given);
-    n3i_batch batch;
+    n3i_group group;
     int i, k;
-    for (; first < last; first += N3I_BATCH) {
-        int count = last - first < N3I_BATCH ? last - first : N3I_BATCH;
-        n3i_batch_ends(m, t, first, count, &batch);
-        n3i_batch_normals(&batch, count);
-        if (!n3i_is_arc(&o)) n3i_batch_across(&batch, count);
-        n3i_batch_edges(&batch, count, &o);
+    for (; first < last; first += N3I_GROUP) {
+        int count = last - first < N3I_GROUP ? last - first : N3I_GROUP;
+        n3i_group_ends(m, t, first, count, &group);
+        n3i_group_normals(&group, count);
+        if (!n3i_is_arc(&o)) n3i_group_across(&group, count);
+        n3i_group_edges(&group, count, &o);
         for (i = 0; i < count; i++) {
             n3_vec *handle = net + m->points + 2 * (first + i);
-            int exact = batch.same[i] && n3i_lane(batch.ok[i / N3I_WIDTH], i % N3I_WIDTH);
+            int exact = group.same[i] && n3i_lane(group.ok[i / N3I_WIDTH], i % N3I_WIDTH);
             n3i_seam seam;
             for (k = 0; k < 2; k++)
-                handle[k] = n3_v(batch.p[k][0][i], batch.p[k][1][i], batch.p[k][2][i]);
+                handle[k] = n3_v(group.p[k][0][i], group.p[k][1][i], group.p[k][2][i]);
             if (exact && !flags) continue;
             n3i_seam_of(m, t, first + i, &seam);
             if (!exact) n3i_edge_apart(&seam, given, handle);
@@ -3507,136 +3556,225 @@ NAGATA3_API void n3_lattice_triangles(int first, int last, int level, int *trian
             }
 }
 
-/* w a + u b + v c */
-N3I_WIDE_API n3i_wide_vec n3i_wide_mix(n3i_wide w, n3i_wide_vec a, n3i_wide u, n3i_wide_vec b,
-                                       n3i_wide v, n3i_wide_vec c)
+/* Scattered points have patches of their own, and to turn these into lanes would take longer than
+   the sums: their lanes are x, y and z of a point, in N3I_ROWS rows. Only the weights are made with
+   the points of a batch for lanes. */
+enum { N3I_ROWS = N3I_XYZ > 3 ? 1 : 4 - N3I_XYZ, N3I_BATCH = 16 };
+typedef struct n3i_weights { n3_real c[13][N3I_BATCH]; } n3i_weights;
+
+/* Of p[0] to p[9]; then u, v and w. */
+N3I_WIDE_API void n3i_wide_cubic(n3i_wide u, n3i_wide v, n3i_wide w, n3i_wide c[13])
 {
-    return n3i_wide_add(n3i_wide_add(n3i_wide_mul(w, a), n3i_wide_mul(u, b)), n3i_wide_mul(v, c));
+    c[0] = w * w * w;
+    c[1] = u * u * u;
+    c[2] = v * v * v;
+    c[3] = 3 * u * w * w;
+    c[4] = 3 * u * u * w;
+    c[5] = 3 * u * u * v;
+    c[6] = 3 * u * v * v;
+    c[7] = 3 * v * v * w;
+    c[8] = 3 * v * w * w;
+    c[9] = 6 * u * v * w;
+    c[10] = u;
+    c[11] = v;
+    c[12] = w;
 }
 
-/* n3_patch_point off the sides; on them a lane is not ok. */
-N3I_WIDE_API n3i_wide_vec n3i_wide_point(const n3i_wide_vec q[10], n3i_wide u, n3i_wide v,
-                                         n3i_mask *ok)
+/* Of the ways in u or v, row by row. */
+N3I_WIDE_API void n3i_wide_quadratic(n3i_wide u, n3i_wide v, n3i_wide w, n3i_wide c[13])
 {
-    n3i_wide w = 1 - u - v;
-    n3i_wide_vec corners = n3i_wide_mix(w * w * w, q[0], u * u * u, q[1], v * v * v, q[2]);
-    n3i_wide_vec ab = n3i_wide_add(n3i_wide_mul(3 * u * w * w, q[3]),
-                                   n3i_wide_mul(3 * u * u * w, q[4]));
-    n3i_wide_vec bc = n3i_wide_add(n3i_wide_mul(3 * u * u * v, q[5]),
-                                   n3i_wide_mul(3 * u * v * v, q[6]));
-    n3i_wide_vec ca = n3i_wide_add(n3i_wide_mul(3 * v * v * w, q[7]),
-                                   n3i_wide_mul(3 * v * w * w, q[8]));
-    *ok &= ((n3i_mask)(u < 0) | (n3i_mask)(u > 0)) & ((n3i_mask)(v < 0) | (n3i_mask)(v > 0)) &
-           ((n3i_mask)(w < 0) | (n3i_mask)(w > 0));
-    return n3i_wide_add(n3i_wide_add(corners, n3i_wide_mul(6 * u * v * w, q[9])),
-                        n3i_wide_add(n3i_wide_add(ab, bc), ca));                    /* (5.2.1) */
+    c[0] = w * w;
+    c[1] = 2 * u * w;
+    c[2] = u * u;
+    c[3] = 2 * v * w;
+    c[4] = 2 * u * v;
+    c[5] = v * v;
+}
+
+N3I_WIDE_API void n3i_weights_of(const n3_real *uv, int count, int what, n3i_weights *weights)
+{
+    const int rows = what == N3I_NORMALS ? 6 : what == N3I_JETS ? 13 : 10;
+    n3_real rest[2 * N3I_WIDTH] = {0};
+    n3i_wide u, v, c[13];
+    int i, k;
+    for (i = 0; i < count; i += N3I_WIDTH, uv += 2 * N3I_WIDTH) {
+        if (count - i < N3I_WIDTH) {
+            memcpy(rest, uv, 2 * (size_t)(count - i) * sizeof *uv);
+            uv = rest;
+        }
+        n3i_pairs(uv, &u, &v);
+        if (what == N3I_NORMALS) n3i_wide_quadratic(u, v, 1 - u - v, c);
+        else n3i_wide_cubic(u, v, 1 - u - v, c);
+        N3I_UNROLL
+        for (k = 0; k < rows; k++) memcpy(&weights->c[k][i], &c[k], sizeof c[k]);
+    }
+}
+
+/* The control points from their coordinate row on. */
+N3I_WIDE_API void n3i_xyz_load(const n3_patch *p, int row, n3i_xyz q[10])
+{
+    int i;
+    N3I_UNROLL
+    for (i = 0; i < 9; i++) memcpy(&q[i], &p->p[i].x + row, sizeof *q);
+    q[9] = n3i_xyz_last(&p->p[9].x + row);
+}
+
+/* w a + u b + v c */
+N3I_WIDE_API n3i_xyz n3i_xyz_mix(n3_real w, n3i_xyz a, n3_real u, n3i_xyz b, n3_real v, n3i_xyz c)
+{
+    return w * a + u * b + v * c;
+}
+
+/* n3_patch_point. */
+N3I_WIDE_API n3i_xyz n3i_xyz_point(const n3i_xyz q[10], const n3i_weights *t, int i)
+{
+    n3i_xyz corners = n3i_xyz_mix(t->c[0][i], q[0], t->c[1][i], q[1], t->c[2][i], q[2]);
+    n3i_xyz ab = t->c[3][i] * q[3] + t->c[4][i] * q[4];
+    n3i_xyz bc = t->c[5][i] * q[5] + t->c[6][i] * q[6];
+    n3i_xyz ca = t->c[7][i] * q[7] + t->c[8][i] * q[8];
+    return (corners + t->c[9][i] * q[9]) + ((ab + bc) + ca);                        /* (5.2.1) */
 }
 
 /* n3_patch_jet, but for the point. */
-typedef struct n3i_wide_jet { n3i_wide_vec x, du, dv, duu, duv, dvv; } n3i_wide_jet;
-
-N3I_WIDE_API n3i_wide_jet n3i_wide_jet_at(const n3i_wide_vec p[10], n3i_wide u, n3i_wide v)
+N3I_WIDE_API void n3i_xyz_jet(const n3i_xyz p[10], n3_real u, n3_real v, n3_real w, n3i_xyz jet[6])
 {
-    n3i_wide w = 1 - u - v, three = n3i_wide_of(3), six = n3i_wide_of(6);
-    n3i_wide_vec q[10], r002, r200, r020, r101, r110, r011, pw;
-    n3i_wide_jet j;
+    n3i_xyz q[10], r002, r200, r020, r101, r110, r011, pw;
     int i;
-    for (i = 0; i < 10; i++) q[i] = n3i_wide_sub(p[i], p[0]);
-    r002 = n3i_wide_mix(w, q[0], u, q[3], v, q[8]);
-    r200 = n3i_wide_mix(w, q[4], u, q[1], v, q[5]);
-    r020 = n3i_wide_mix(w, q[7], u, q[6], v, q[2]);
-    r101 = n3i_wide_mix(w, q[3], u, q[4], v, q[9]);
-    r110 = n3i_wide_mix(w, q[9], u, q[5], v, q[6]);
-    r011 = n3i_wide_mix(w, q[8], u, q[9], v, q[7]);
-    pw = n3i_wide_mix(w, r002, u, r101, v, r011);
-    j.x = p[0];
-    j.du = n3i_wide_mul(three, n3i_wide_sub(n3i_wide_mix(w, r101, u, r200, v, r110), pw));
-    j.dv = n3i_wide_mul(three, n3i_wide_sub(n3i_wide_mix(w, r011, u, r110, v, r020), pw));
-    j.duu = n3i_wide_sub(r002, r101);
-    j.dvv = n3i_wide_sub(r002, r011);
-    j.duv = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r110, r101), j.dvv));
-    j.duu = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r200, r101), j.duu));
-    j.dvv = n3i_wide_mul(six, n3i_wide_add(n3i_wide_sub(r020, r011), j.dvv));
-    return j;
+    N3I_UNROLL
+    for (i = 0; i < 10; i++) q[i] = p[i] - p[0];
+    r002 = n3i_xyz_mix(w, q[0], u, q[3], v, q[8]);
+    r200 = n3i_xyz_mix(w, q[4], u, q[1], v, q[5]);
+    r020 = n3i_xyz_mix(w, q[7], u, q[6], v, q[2]);
+    r101 = n3i_xyz_mix(w, q[3], u, q[4], v, q[9]);
+    r110 = n3i_xyz_mix(w, q[9], u, q[5], v, q[6]);
+    r011 = n3i_xyz_mix(w, q[8], u, q[9], v, q[7]);
+    pw = n3i_xyz_mix(w, r002, u, r101, v, r011);
+    jet[1] = 3 * (n3i_xyz_mix(w, r101, u, r200, v, r110) - pw);
+    jet[2] = 3 * (n3i_xyz_mix(w, r011, u, r110, v, r020) - pw);
+    jet[3] = 6 * ((r200 - r101) + (r002 - r101));
+    jet[4] = 6 * ((r110 - r101) + (r002 - r011));
+    jet[5] = 6 * ((r020 - r011) + (r002 - r011));
 }
 
-/* What is wanted of N3I_WIDTH points: the point, the jet, or the normal, as numbers of a row. */
-N3I_WIDE_API n3i_mask n3i_wide_at(const n3i_wide_vec q[10], n3i_wide u, n3i_wide v, int what,
-                                  n3_real *const to[N3I_WIDTH])
+/* A third of du and dv, and the squares of the ways along a tree through the control points, whose
+   sum is the square of the patch's size. */
+N3I_WIDE_API void n3i_xyz_ways(const n3i_xyz q[10], const n3i_weights *t, int i, n3i_xyz way[3])
 {
-    n3i_wide size;
-    n3i_mask ok = (n3i_mask)(u <= u);
-    n3i_wide_jet j;
-    if (what != N3I_POINTS) j = n3i_wide_jet_at(q, u, v);
-    if (what == N3I_NORMALS) {
-        size = n3i_wide_inverse_size(q, &ok);
-        j.x = n3i_wide_normal(n3i_wide_mul(size, j.du), n3i_wide_mul(size, j.dv), N3I_CLEAR, &ok);
-    } else {
-        j.x = n3i_wide_point(q, u, v, &ok);
-    }
-    n3i_store(&j.x.x, what == N3I_JETS ? 18 : 3, to, 0);
-    return ok;
+    n3i_xyz u0 = q[3] - q[0], u1 = q[4] - q[3], u2 = q[1] - q[4];
+    n3i_xyz u3 = q[9] - q[8], u4 = q[5] - q[9], u5 = q[6] - q[7];
+    n3i_xyz v0 = q[8] - q[0], v1 = q[9] - q[3], v2 = q[5] - q[4];
+    n3i_xyz v3 = q[7] - q[8], v4 = q[6] - q[9], v5 = q[2] - q[7];
+    way[0] = (t->c[0][i] * u0 + t->c[1][i] * u1 + t->c[2][i] * u2) +
+             (t->c[3][i] * u3 + t->c[4][i] * u4 + t->c[5][i] * u5);
+    way[1] = (t->c[0][i] * v0 + t->c[1][i] * v1 + t->c[2][i] * v2) +
+             (t->c[3][i] * v3 + t->c[4][i] * v4 + t->c[5][i] * v5);
+    way[2] = (u0 * u0 + u1 * u1 + u2 * u2) + (u3 * u3 + u4 * u4 + u5 * u5) +
+             (v0 * v0 + v3 * v3 + v5 * v5);
 }
 
-/* The plain form, into a row. */
-NAGATA3_API void n3i_plain_at(const n3_patch *p, const n3_real *uv, int what, n3_real *row)
+/* The normals of a batch from what n3i_xyz_ways gave, with points for lanes again; ok is 0 where
+   one is not. */
+NAGATA3_API void n3i_batch_normals(n3_vec way[N3I_BATCH][3], int count, n3_vec *out, int *ok)
+{
+    int i, k;
+    for (k = 0; k < count; k += N3I_WIDTH) {
+        const n3_real *from[N3I_WIDTH];
+        n3_real *to[N3I_WIDTH];
+        n3i_wide_vec lane[3];
+        n3i_wide size, inverse;
+        n3i_mask clear;
+        N3I_UNROLL
+        for (i = 0; i < N3I_WIDTH; i++) {
+            int point = k + i < count ? k + i : k;
+            from[i] = &way[point][0].x;
+            to[i] = &out[point].x;
+        }
+        n3i_load(from, 9, &lane[0].x);
+        size = lane[2].x + lane[2].y + lane[2].z;
+        clear = (n3i_mask)(size > 0);
+        inverse = 1 / n3i_pick(clear, size, n3i_wide_of(1));
+        clear &= (n3i_mask)(inverse - inverse <= 0); /* not infinite */
+        lane[0] = n3i_wide_normal(n3i_wide_mul(inverse, lane[0]), lane[1], N3I_CLEAR, &clear);
+        n3i_store(&lane[0].x, 3, to, 0);
+        N3I_UNROLL
+        for (i = 0; i < N3I_WIDTH; i++) ok[k + i] = n3i_lane(clear, i);
+    }
+}
+
+/* What the wide form left out. */
+NAGATA3_API void n3i_plain_at(const n3_patch *p, const n3_real *uv, int what, n3_vec *out)
 {
     n3_jet j;
     if (what == N3I_JETS) j = n3_patch_jet(p, uv[0], uv[1]);
     else if (what == N3I_NORMALS) j.x = n3_patch_normal(p, uv[0], uv[1]);
     else j.x = n3_patch_point(p, uv[0], uv[1]);
-    memcpy(row, &j, what == N3I_JETS ? sizeof j : sizeof j.x);
+    memcpy(out, &j, what == N3I_JETS ? sizeof j : sizeof j.x);
+}
+
+N3I_WIDE_API void n3i_batch(const n3_patch *patch, const int *parent, const n3_real *uv, int count,
+                            int what, n3_vec *out)
+{
+    const int size = what == N3I_JETS ? 6 : what == N3I_NORMALS ? 3 : 1;
+    int i, k, row, ok[N3I_BATCH];
+    n3_vec way[N3I_BATCH][3];
+    n3i_weights t;
+    n3i_weights_of(uv, count, what, &t);
+    for (i = 0; i < count; i++) {
+        n3_vec *to = what == N3I_NORMALS ? way[i] : out + size * i;
+        n3i_xyz q[10], x[6];
+        if (what != N3I_NORMALS && !(t.c[9][i] < 0 || t.c[9][i] > 0)) {
+            n3i_plain_at(&patch[parent[i]], uv + 2 * i, what, to);
+            continue;
+        }
+        N3I_UNROLL
+        for (row = 0; row < N3I_ROWS; row++) {
+            n3i_xyz_load(&patch[parent[i]], row, q);
+            if (what == N3I_NORMALS) n3i_xyz_ways(q, &t, i, x);
+            else x[0] = n3i_xyz_point(q, &t, i);
+            if (what == N3I_JETS) n3i_xyz_jet(q, t.c[10][i], t.c[11][i], t.c[12][i], x);
+            N3I_UNROLL /* a fourth number gives way to the next */
+            for (k = 0; k + 1 < size; k++) memcpy(&to[k].x + row, &x[k], sizeof x[k]);
+            n3i_xyz_store(x[k], &to[k].x + row);
+        }
+    }
+    if (what != N3I_NORMALS) return;
+    n3i_batch_normals(way, count, out, ok);
+    for (i = 0; i < count; i++)
+        if (!ok[i]) n3i_plain_at(&patch[parent[i]], uv + 2 * i, what, out + i);
 }
 
 NAGATA3_API void n3i_evaluate(const n3_patch *patch, const int *parent, const n3_real *uv,
-                              int first, int last, int what, n3_real *out)
+                              int first, int last, int what, n3_vec *out)
 {
-    const size_t size = what == N3I_JETS ? 18 : 3;
-    const int plain = what == N3I_POINTS && N3I_WIDTH < 4; /* as to gather takes longer */
-    for (; plain && first < last; first++, out += 3)
+    const int plain = N3I_WIDTH == 1 && what != N3I_NORMALS, size = what == N3I_JETS ? 6 : 1;
+    for (; plain && first < last; first++, out += size)
         n3i_plain_at(&patch[parent[first]], uv + 2 * (size_t)first, what, out);
-    for (; first < last; first += N3I_WIDTH, out += N3I_WIDTH * size) {
-        const n3_real *from[N3I_WIDTH];
-        n3_real *to[N3I_WIDTH], row[2][N3I_WIDTH];
-        n3i_wide_vec q[10];
-        n3i_wide u, v;
-        n3i_mask ok;
-        int i;
-        for (i = 0; i < N3I_WIDTH; i++) {
-            int lane = first + i < last ? i : 0;
-            from[i] = &patch[parent[first + lane]].p[0].x;
-            to[i] = out + size * (size_t)lane;
-            row[0][i] = uv[2 * (size_t)(first + lane)];
-            row[1][i] = uv[2 * (size_t)(first + lane) + 1];
-        }
-        n3i_load(from, 30, &q[0].x);
-        memcpy(&u, row[0], sizeof u);
-        memcpy(&v, row[1], sizeof v);
-        ok = what == N3I_POINTS ? n3i_wide_at(q, u, v, N3I_POINTS, to)
-             : what == N3I_JETS ? n3i_wide_at(q, u, v, N3I_JETS, to)
-                                : n3i_wide_at(q, u, v, N3I_NORMALS, to);
-        for (i = 0; i < N3I_WIDTH && first + i < last; i++)
-            if (!n3i_lane(ok, i))
-                n3i_plain_at(&patch[parent[first + i]], uv + 2 * (size_t)(first + i), what, to[i]);
+    for (; first < last; first += N3I_BATCH, out += N3I_BATCH * size) {
+        int count = last - first < N3I_BATCH ? last - first : N3I_BATCH;
+        const int *p = parent + first;
+        const n3_real *at = uv + 2 * (size_t)first;
+        if (what == N3I_POINTS) n3i_batch(patch, p, at, count, N3I_POINTS, out);
+        else if (what == N3I_JETS) n3i_batch(patch, p, at, count, N3I_JETS, out);
+        else n3i_batch(patch, p, at, count, N3I_NORMALS, out);
     }
 }
 
 NAGATA3_API void n3_patch_points(const n3_patch *patch, const int *parent, const n3_real *uv,
                                  int first, int last, n3_vec *point)
 {
-    n3i_evaluate(patch, parent, uv, first, last, N3I_POINTS, &point->x);
+    n3i_evaluate(patch, parent, uv, first, last, N3I_POINTS, point);
 }
 
 NAGATA3_API void n3_patch_jets(const n3_patch *patch, const int *parent, const n3_real *uv,
                                int first, int last, n3_jet *jet)
 {
-    n3i_evaluate(patch, parent, uv, first, last, N3I_JETS, &jet->x.x);
+    n3i_evaluate(patch, parent, uv, first, last, N3I_JETS, &jet->x);
 }
 
 NAGATA3_API void n3_patch_normals(const n3_patch *patch, const int *parent, const n3_real *uv,
                                   int first, int last, n3_vec *normal)
 {
-    n3i_evaluate(patch, parent, uv, first, last, N3I_NORMALS, &normal->x);
+    n3i_evaluate(patch, parent, uv, first, last, N3I_NORMALS, normal);
 }
 
 /* ---- Definitions: refinement ---- */
@@ -4030,26 +4168,7 @@ NAGATA3_API n3i_spot n3i_inner_spot(const n3i_cut *c, int i, int j)
    Rows: strip i is between row i and the next. Else strips 0 to 2 are between the sides and the
    inner lattice, the others between its rows. On the way through the facets: at which points of
    the chains; the index of the low chain's first point inside. */
-typedef struct n3i_walk { int strip, parts[2], at[2], first; } n3i_walk;
-
-NAGATA3_API void n3i_walk_strip(const n3i_cut *c, n3i_walk *w, int strip, int first)
-{
-    w->strip = strip;
-    w->first = first;
-    w->at[0] = w->at[1] = 0;
-    w->parts[0] = c->inner ? c->inner + 1 - strip : n3i_row_parts(c, strip);
-    w->parts[1] = c->inner ? w->parts[0] - 1 : n3i_row_parts(c, strip + 1);
-    if (!c->inner || strip >= 3) return;
-    w->parts[0] = c->side[strip];
-    w->parts[1] = c->inner - 2;
-}
-
-NAGATA3_API n3i_walk n3i_walk_start(const n3i_cut *c)
-{
-    n3i_walk w;
-    n3i_walk_strip(c, &w, 0, n3i_cut_first(c));
-    return w;
-}
+typedef struct n3i_walk { int strip, parts[2], at[2], first; n3i_spot spot[2]; } n3i_walk;
 
 /* Where the walk is on the low or on the high chain. */
 NAGATA3_API n3i_spot n3i_walk_spot(const n3i_cut *c, const n3i_walk *w, int high)
@@ -4061,6 +4180,27 @@ NAGATA3_API n3i_spot n3i_walk_spot(const n3i_cut *c, const n3i_walk *w, int high
     if (!high) return n3i_side_spot(c, w->strip, i);
     if (w->strip == 0) return n3i_inner_spot(c, i, 0);
     return w->strip == 1 ? n3i_inner_spot(c, last - i, i) : n3i_inner_spot(c, 0, last - i);
+}
+
+NAGATA3_API void n3i_walk_strip(const n3i_cut *c, n3i_walk *w, int strip, int first)
+{
+    int beside = c->inner && strip < 3;
+    w->strip = strip;
+    w->first = first;
+    w->at[0] = w->at[1] = 0;
+    if (strip >= c->strips) return;
+    w->parts[0] = beside ? c->side[strip] : c->inner ? c->inner + 1 - strip : n3i_row_parts(c, strip);
+    w->parts[1] = beside ? c->inner - 2 : c->inner ? c->inner - strip : n3i_row_parts(c, strip + 1);
+    w->spot[0] = n3i_walk_spot(c, w, 0);
+    w->spot[1] = n3i_walk_spot(c, w, 1);
+}
+
+NAGATA3_API n3i_walk n3i_walk_start(const n3i_cut *c)
+{
+    n3i_walk w;
+    memset(&w, 0, sizeof w);
+    n3i_walk_strip(c, &w, 0, n3i_cut_first(c));
+    return w;
 }
 
 /* Whether the next facet stands on the low chain: on it the middle of the next part comes first.
@@ -4076,10 +4216,10 @@ NAGATA3_API int n3i_walk_is_low(const n3i_cut *c, const n3i_walk *w)
 NAGATA3_API void n3i_walk_step(const n3i_cut *c, n3i_walk *w, n3i_spot out[3])
 {
     int high = !n3i_walk_is_low(c, w);
-    out[high] = n3i_walk_spot(c, w, high);
-    out[2] = n3i_walk_spot(c, w, !high);
+    out[high] = w->spot[high];
+    out[2] = w->spot[!high];
     w->at[high]++;
-    out[!high] = n3i_walk_spot(c, w, high);
+    out[!high] = w->spot[high] = n3i_walk_spot(c, w, high);
     if (w->at[0] == w->parts[0] && w->at[1] == w->parts[1])
         n3i_walk_strip(c, w, w->strip + 1, w->first + n3i_row_inside(c, w->strip));
 }
@@ -4122,15 +4262,18 @@ NAGATA3_API void n3i_normal_net(const n3_patch *p, n3_vec out[5][5])
 
 /* The patch as its second differences at the corners, second derivatives over 6: along u, along
    both, along v. And which share of a vector leads away from the patch: the one along N, and of the
-   rest not more than the slope, the largest tangent of an angle between its normals and N. */
-typedef struct n3i_bend { n3_vec at[3][3], N; n3_real slope; } n3i_bend;
+   rest not more than the slope, the largest tangent of an angle between its normals and N; below 0
+   while nobody has asked. */
+typedef struct n3i_bend { const n3_patch *patch; n3_vec at[3][3], N; n3_real slope; } n3i_bend;
 
 /* No normal of the patch is beyond those of its net. */
-NAGATA3_API void n3i_bend_slope(const n3_patch *p, n3i_bend *b)
+NAGATA3_API void n3i_bend_slope(n3i_bend *b)
 {
-    n3_patch boxed = n3i_patch_boxed(p);
+    n3_patch boxed;
     n3_vec net[5][5], sum = n3_v(0, 0, 0);
     int i, j;
+    if (b->slope >= 0) return;
+    boxed = n3i_patch_boxed(b->patch);
     n3i_normal_net(&boxed, net);
     for (i = 0; i < 5; i++)
         for (j = 0; i + j < 5; j++) sum = n3_add(sum, net[i][j]);
@@ -4157,20 +4300,25 @@ NAGATA3_API n3i_bend n3i_bend_of(const n3_patch *p)
         b.at[c][1] = n3_sub(n3_sub(p->p[at[i + 1][j + 1]], p->p[at[i + 1][j]]), v);
         b.at[c][2] = n3_sub(n3_sub(p->p[at[i][j + 2]], p->p[at[i][j + 1]]), v);
     }
-    n3i_bend_slope(p, &b);
+    b.patch = p;
+    b.N = n3_v(0, 0, 0);
+    b.slope = -1;
     return b;
 }
 
-/* The second difference at a spot along the way from x to y. */
-NAGATA3_API n3_vec n3i_bend_along(const n3i_bend *b, const n3i_spot *at, const n3i_spot *x,
-                                  const n3i_spot *y)
+/* The second differences along the way from x to y, at the corners. */
+NAGATA3_API void n3i_bend_along(const n3i_bend *b, const n3i_spot *x, const n3i_spot *y,
+                                n3_vec along[3])
 {
-    n3_real u = y->u - x->u, v = y->v - x->v, w = 1 - at->u - at->v;
-    n3_vec of[3];
+    n3_real u = y->u - x->u, v = y->v - x->v;
     int c;
     for (c = 0; c < 3; c++)
-        of[c] = n3i_mix(u * u, b->at[c][0], 2 * u * v, b->at[c][1], v * v, b->at[c][2]);
-    return n3i_mix(w, of[0], at->u, of[1], at->v, of[2]);
+        along[c] = n3i_mix(u * u, b->at[c][0], 2 * u * v, b->at[c][1], v * v, b->at[c][2]);
+}
+
+NAGATA3_API n3_vec n3i_bend_at(const n3_vec along[3], const n3i_spot *at)
+{
+    return n3i_mix(1 - at->u - at->v, along[0], at->u, along[1], at->v, along[2]);
 }
 
 /* The control vectors of the difference between a facet's part of the patch and the facet, with
@@ -4182,16 +4330,19 @@ NAGATA3_API n3_vec n3i_bend_along(const n3i_bend *b, const n3i_spot *at, const n
    out: the sides' two each, then the centre. */
 NAGATA3_API void n3i_facet_net(const n3i_bend *b, const n3i_spot s[3], n3_vec out[7])
 {
-    n3_vec first = n3_v(0, 0, 0);
+    n3_vec first = n3_v(0, 0, 0), along[3], gx, gy;
     int i;
     for (i = 0; i < 3; i++) {
         const n3i_spot *x = &s[i], *y = &s[(i + 1) % 3];
-        n3_vec gx = n3i_bend_along(b, x, x, y), gy = n3i_bend_along(b, y, x, y);
-        out[2 * i] = n3i_over(n3_add(gx, n3_add(gx, gy)), -3);
-        out[2 * i + 1] = n3i_over(n3_add(gy, n3_add(gx, gy)), -3);
+        n3i_bend_along(b, x, y, along);
+        gx = n3i_bend_at(along, x);
+        gy = n3i_bend_at(along, y);
+        out[2 * i] = n3_mul(-(n3_real)1 / 3, n3_add(gx, n3_add(gx, gy)));
+        out[2 * i + 1] = n3_mul(-(n3_real)1 / 3, n3_add(gy, n3_add(gx, gy)));
         if (i != 1) first = n3_add(first, i == 0 ? gx : gy);
     }
-    first = n3_sub(first, n3i_bend_along(b, &s[0], &s[1], &s[2]));
+    n3i_bend_along(b, &s[1], &s[2], along);
+    first = n3_sub(first, n3i_bend_at(along, &s[0]));
     out[6] = n3_add(n3_mul((n3_real)1 / 2, first), n3_add(out[0], out[5]));
 }
 
@@ -4204,11 +4355,15 @@ NAGATA3_API n3_real n3i_spread(n3_real a, n3_real b, n3_real c)
     return a * b * c / (2 * (a * b + b * c + c * a) - (a * a + b * b + c * c));
 }
 
-/* How far a difference can lead away from the patch: its length, or the share that counts. */
-NAGATA3_API n3_real n3i_bend_size(const n3i_bend *b, n3_vec d)
+/* How far a difference can lead away from the patch: its length, or the share that counts; size, if
+   that is larger. */
+NAGATA3_API n3_real n3i_bend_size(n3i_bend *b, n3_vec d, n3_real size)
 {
-    n3_real all = n3_len(d), share = n3i_abs(n3_dot(d, b->N)) + b->slope * all;
-    return share < all ? share : all;
+    n3_real all = n3_len(d), share;
+    if (all <= size) return size;
+    n3i_bend_slope(b);
+    share = n3i_abs(n3_dot(d, b->N)) + b->slope * all;
+    return n3i_larger(size, share < all ? share : all);
 }
 
 /* Whether the difference is nowhere longer than the distance. With D the longer vector of each
@@ -4217,10 +4372,12 @@ NAGATA3_API n3_real n3i_bend_size(const n3i_bend *b, n3_vec d)
        3 (D_12 xy + D_23 yz + D_31 zx) + 3 xyz (2 |d_123| - D_12 - D_23 - D_31),     xyz <= 1/27 */
 NAGATA3_API int n3i_is_within(const n3_vec net[7], n3_vec N, n3_real slope, n3_real distance)
 {
-    n3_real size[7], D[3], excess, bound;
+    n3_real size[7], D[3], excess, bound, inverse = 1 / distance;
     int i;
-    for (i = 0; i < 7; i++)
-        size[i] = (n3i_abs(n3_dot(net[i], N)) + slope * n3_len(net[i])) / distance;
+    for (i = 0; i < 7; i++) {
+        n3_vec d = n3_mul(inverse, net[i]);
+        size[i] = n3i_abs(n3_dot(d, N)) + slope * n3i_sqrt(n3_dot(d, d));
+    }
     for (i = 0; i < 3; i++) {
         D[i] = n3i_larger(size[2 * i], size[2 * i + 1]);
         if (!(3 * D[i] <= 4)) return 0;
@@ -4232,7 +4389,7 @@ NAGATA3_API int n3i_is_within(const n3_vec net[7], n3_vec N, n3_real slope, n3_r
 
 /* The number of facets; 0 if one is not within the distance, or is turned over or without an area,
    which can be only where rows have fewer parts than there are rows. */
-NAGATA3_API int n3i_cut_facets(const n3i_cut *c, const n3i_bend *b, n3_real distance)
+NAGATA3_API int n3i_cut_facets(const n3i_cut *c, n3i_bend *b, n3_real distance)
 {
     n3i_walk walk = n3i_walk_start(c);
     n3i_spot s[3];
@@ -4244,6 +4401,7 @@ NAGATA3_API int n3i_cut_facets(const n3i_cut *c, const n3i_bend *b, n3_real dist
         if (!c->inner && c->parts < c->strips && area <= 16 * N3_EPS) return 0;
         n3i_facet_net(b, s, net);
         if (n3i_is_within(net, n3_v(0, 0, 0), 1, distance)) continue;
+        n3i_bend_slope(b);
         if (b->slope < 1 && n3i_is_within(net, b->N, b->slope, distance)) continue;
         return 0;
     }
@@ -4265,22 +4423,26 @@ NAGATA3_API int n3i_parts(n3_real size, n3_real distance)
 /* The longest second difference along a side, or half the largest twist there if that is longer:
    the second difference along the side and across, by the way from the third corner to that place
    in the middle half of the side where it is least. */
-NAGATA3_API n3_real n3i_side_size(const n3i_bend *b, int side)
+NAGATA3_API n3_real n3i_side_size(n3i_bend *b, int side)
 {
     static const n3i_spot corner[3] = {{0, 0, 0}, {1, 1, 0}, {2, 0, 1}};
     const n3i_spot *x = &corner[side], *y = &corner[(side + 1) % 3], *z = &corner[(side + 2) % 3];
     const n3_real quarter = (n3_real)1 / 4;
+    n3_vec way[3][3];
     n3_real size = 0, square, s;
     int i;
+    n3i_bend_along(b, x, y, way[0]);
+    n3i_bend_along(b, z, x, way[1]);
+    n3i_bend_along(b, z, y, way[2]);
     for (i = 0; i < 2; i++) {
         const n3i_spot *at = i ? y : x;
-        n3_vec along = n3i_bend_along(b, at, x, y), across;
-        across = n3_mul(quarter, n3_sub(n3i_bend_along(b, at, z, x), n3i_bend_along(b, at, z, y)));
+        n3_vec along = n3i_bend_at(way[0], at), across;
+        across = n3_mul(quarter, n3_sub(n3i_bend_at(way[1], at), n3i_bend_at(way[2], at)));
         square = n3_dot(along, along);
         s = square > 0 ? n3_dot(across, along) / square : 0;
         if (!(n3i_abs(s) <= quarter)) s = s < 0 ? -quarter : quarter;
         size = n3i_larger(size, n3_len(along));
-        size = n3i_larger(size, n3i_bend_size(b, n3_sub(across, n3_mul(s, along))));
+        size = n3i_bend_size(b, n3_sub(across, n3_mul(s, along)), size);
     }
     return size;
 }
@@ -4399,29 +4561,49 @@ NAGATA3_API void n3i_cut_edge_points(const n3_mesh *m, const n3_topology *t, con
     }
 }
 
-/* What n3_mesh_refine_cut makes, and how far it has come. */
+/* What n3_mesh_refine_cut makes, and how far it has come; spots of a triangle on their way to its
+   points and normals. */
 typedef struct n3i_made {
     n3_vec *point, *normal;
     int *triangle, *corner, *origin, *parent;
     n3_real *uv;
-    int triangles, normals;
+    int triangles, normals, count, to_point[N3I_BATCH], to_normal[N3I_BATCH];
+    n3_real at[2 * N3I_BATCH];
 } n3i_made;
 
-NAGATA3_API void n3i_make_spot(const n3_patch *p, const n3i_spot *s, int point, int inside,
-                               int triangle, const n3i_made *out)
+/* Those on sides have their points from the edges. */
+NAGATA3_API void n3i_make_batch(const n3_patch *p, int inside, n3i_made *out)
 {
-    if (out->point && inside) out->point[point] = n3_patch_point(p, s->u, s->v);
-    if (out->normal) out->normal[out->normals + s->index] = n3_patch_normal(p, s->u, s->v);
+    static const int parent[N3I_BATCH] = {0};
+    n3_vec x[N3I_BATCH];
+    int i;
+    if (out->normal) n3_patch_normals(p, parent, out->at, 0, out->count, x);
+    for (i = 0; i < out->count && out->normal; i++) out->normal[out->to_normal[i]] = x[i];
+    inside = inside && out->point;
+    if (inside) n3_patch_points(p, parent, out->at, 0, out->count, x);
+    for (i = 0; i < out->count && inside; i++) out->point[out->to_point[i]] = x[i];
+    out->count = 0;
+}
+
+NAGATA3_API void n3i_make_spot(const n3_patch *p, const n3i_spot *s, int point, int inside,
+                               int triangle, n3i_made *out)
+{
     if (out->parent) out->parent[point] = triangle;
-    if (!out->uv) return;
-    out->uv[2 * (size_t)point] = s->u;
-    out->uv[2 * (size_t)point + 1] = s->v;
+    if (out->uv) {
+        out->uv[2 * (size_t)point] = s->u;
+        out->uv[2 * (size_t)point + 1] = s->v;
+    }
+    out->to_point[out->count] = point;
+    out->to_normal[out->count] = out->normals + s->index;
+    out->at[2 * out->count] = s->u;
+    out->at[2 * out->count + 1] = s->v;
+    if (++out->count == N3I_BATCH) n3i_make_batch(p, inside, out);
 }
 
 /* The points of a triangle: its sides', each without its end, then those inside, which a collapsed
    one has not. */
 NAGATA3_API void n3i_make_spots(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
-                                const n3_cut *cut, int triangle, const n3i_made *out)
+                                const n3_cut *cut, int triangle, n3i_made *out)
 {
     n3i_cut c = n3i_mesh_cut_of(t, cut, triangle);
     n3_patch p = n3i_mesh_patch(m, t, net, triangle);
@@ -4432,6 +4614,7 @@ NAGATA3_API void n3i_make_spots(const n3_mesh *m, const n3_topology *t, const n3
             int point = n3i_cut_point(m, t, cut, triangle, &c, s.index);
             n3i_make_spot(&p, &s, point, 0, triangle, out);
         }
+    n3i_make_batch(&p, 0, out);
     for (row = 0; row < rows; row++) {
         for (i = 0; i < n3i_row_inside(&c, row); i++) {
             n3i_spot s = c.inner ? n3i_inner_spot(&c, i, row) : n3i_row_spot(&c, row, i + 1, first);
@@ -4440,6 +4623,7 @@ NAGATA3_API void n3i_make_spots(const n3_mesh *m, const n3_topology *t, const n3
         }
         first += n3i_row_inside(&c, row);
     }
+    n3i_make_batch(&p, 1, out);
 }
 
 NAGATA3_API void n3i_make_facets(const n3_mesh *m, const n3_topology *t, const n3_cut *cut,
@@ -4464,8 +4648,9 @@ NAGATA3_API void n3i_make_facets(const n3_mesh *m, const n3_topology *t, const n
 NAGATA3_API void n3i_make_parents(const n3_mesh *m, const n3_topology *t, const n3_vec *net,
                                   const n3_cut *cut, int *parent, n3_real *uv)
 {
-    n3i_made out = {NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0, 0};
+    n3i_made out;
     int i;
+    memset(&out, 0, sizeof out);
     out.parent = parent;
     out.uv = uv;
     for (i = 0; i < m->points; i++) {
@@ -4480,9 +4665,15 @@ NAGATA3_API n3_status n3_mesh_refine_cut(const n3_mesh *m, const n3_topology *t,
                                          n3_vec *normal, int *corner, int *origin, int *parent,
                                          n3_real *uv)
 {
-    n3i_made out = {point, normal, triangle, corner, origin, NULL, NULL, 0, 0};
     n3_status status = n3i_check(m, t, NULL);
+    n3i_made out;
     int f, i;
+    memset(&out, 0, sizeof out);
+    out.point = point;
+    out.normal = normal;
+    out.triangle = triangle;
+    out.corner = corner;
+    out.origin = origin;
     if (status != N3_OK) return status;
     if (!net || !cut) return N3_NULL_POINTER;
     for (i = 0; i < m->points && point; i++) point[i] = net[i];

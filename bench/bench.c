@@ -10,6 +10,7 @@
  * the quartiles; ratios compare times of the same round. */
 #define _POSIX_C_SOURCE 200112L
 #include "naive.h"
+#include "torus.h"
 
 #include <pthread.h>
 #include <stdint.h>
@@ -68,7 +69,7 @@ static void naive_patches(int first, int last)
 {
     n3_patch *out = (n3_patch *)(void *)now_on->out;
     for (; first < last; first++)
-        out[first] = naive_patch(corner(first, 0), corner(first, 1), corner(first, 2));
+        naive_patch(now_on->x, now_on->n, now_on->triangle + 3 * first, out[first].p);
 }
 
 /* The edges in proportion. */
@@ -239,25 +240,6 @@ static n3_real random_real(void)
     return (n3_real)((z ^ (z >> 31)) >> 40) / 16777216;
 }
 
-/* A torus of radii 2 and 1 of nu by nv quadrilaterals, with its normals. */
-static void make_torus(job *j, int nu, int nv)
-{
-    const double turn = 2 * 3.14159265358979323846;
-    int i, k, *t = j->triangle;
-    for (i = 0; i < nu; i++)
-        for (k = 0; k < nv; k++, t += 6) {
-            double u = turn * i / nu, v = turn * k / nv, r = 2 + cos(v);
-            int right = (i + 1) % nu * nv, up = (k + 1) % nv, p = i * nv + k;
-            j->x[p] = n3_v((n3_real)(r * cos(u)), (n3_real)(r * sin(u)), (n3_real)sin(v));
-            j->n[p] = n3_v((n3_real)(cos(u) * cos(v)), (n3_real)(sin(u) * cos(v)),
-                           (n3_real)sin(v));
-            t[0] = t[3] = p;
-            t[1] = right + k;
-            t[2] = t[4] = right + up;
-            t[5] = i * nv + up;
-        }
-}
-
 static void make_job(job *j, int nu, int nv)
 {
     n3_mesh *m = &j->mesh;
@@ -267,7 +249,7 @@ static void make_job(job *j, int nu, int nv)
     j->x = (n3_vec *)room(points * VEC);
     j->n = (n3_vec *)room(points * VEC);
     j->triangle = (int *)room(triangles * 3 * sizeof(int));
-    make_torus(j, nu, nv);
+    torus_make(nu, nv, j->x, j->n, j->triangle);
     j->triangles = m->triangles = (int)triangles;
     m->points = m->normals = (int)points;
     m->point = &j->x->x;

@@ -32,6 +32,15 @@ static void quad_of(const n3_vertex v[6], int at, n3_vertex corner[4])
     corner[3] = v[at + 3];
 }
 
+/* The first of them. */
+static brown_square draw_one(rng *r, n3_vertex corner[4])
+{
+    n3_vertex v[6];
+    draw_two(r, v);
+    quad_of(v, 0, corner);
+    return brown_quad_make(corner, NULL);
+}
+
 static brown_square fitted(const n3_vertex v[6], int at, const n3_options *o)
 {
     n3_vertex corner[4], c[2], d[2];
@@ -77,14 +86,12 @@ static void sides_are_edges(void)
     rng r = {22};
     long n, count = sample_count(SAMPLES);
     for (n = 0; n < count; n++) {
-        n3_vertex v[6], corner[4];
+        n3_vertex corner[4];
         brown_square s;
         n3_edge e[4];
         int i;
         n3_real t = dyadic(&r, 0, 1);
-        draw_two(&r, v);
-        quad_of(v, 0, corner);
-        s = brown_quad_make(corner, NULL);
+        s = draw_one(&r, corner);
         for (i = 0; i < 4; i++) e[i] = n3_edge_make(corner[i], corner[(i + 1) % 4], NULL);
         CHECK_SAME(brown_point(&s, t, 0), n3_edge_point(&e[0], t), n);
         CHECK_SAME(brown_point(&s, 1, t), n3_edge_point(&e[1], t), n);
@@ -151,13 +158,11 @@ static void either_side(void)
     rng r = {26};
     long n, count = sample_count(SAMPLES);
     for (n = 0; n < count; n++) {
-        n3_vertex v[6], corner[4];
+        n3_vertex corner[4];
         brown_square s, t;
         n3_real u = dyadic(&r, 0, 1), w = dyadic(&r, 0, 1);
         int flipped = (int)(n % 4);
-        draw_two(&r, v);
-        quad_of(v, 0, corner);
-        s = brown_quad_make(corner, NULL);
+        s = draw_one(&r, corner);
         corner[flipped].n = n3_mul(-1, corner[flipped].n);
         t = brown_quad_make(corner, NULL);
         CHECK_VEC(brown_point(&t, u, w), brown_point(&s, u, w), 3 * 30 * EPS, n);
@@ -217,12 +222,10 @@ static void tense_side(void)
     rng r = {25};
     long n, count = sample_count(SAMPLES);
     for (n = 0; n < count; n++) {
-        n3_vertex v[6], corner[4];
+        n3_vertex corner[4];
         brown_square s;
         n3_real t = (n3_real)(n % 9) / 8, way = (n3_real)(sizeof(n3_real) == 8 ? 1e-7 : 1e-3);
-        draw_two(&r, v);
-        quad_of(v, 0, corner);
-        s = brown_quad_make(corner, NULL);
+        s = draw_one(&r, corner);
         memset(&s.across[0], 0, sizeof s.across[0]);
         s.side[2].p[1] = s.side[2].p[0];
         s.side[3].p[1] = s.side[3].p[0];
@@ -238,13 +241,11 @@ static void tense_corner(void)
     rng r = {27};
     long n, count = sample_count(SAMPLES);
     for (n = 0; n < count; n++) {
-        n3_vertex v[6], corner[4];
+        n3_vertex corner[4];
         brown_square s;
         int flatter = (int)(n % 2), i;
         n3_real way = (n3_real)(sizeof(n3_real) == 8 ? 1e-7 : 1e-3);
-        draw_two(&r, v);
-        quad_of(v, 0, corner);
-        s = brown_quad_make(corner, NULL);
+        s = draw_one(&r, corner);
         for (i = 0; i < 4; i += 2) {
             int k;
             for (k = 1; k < 2 + flatter; k++) s.side[i].p[k] = s.side[i].p[0];
