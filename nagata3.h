@@ -1237,8 +1237,9 @@ NAGATA3_API n3_status n3_mesh_refine_cut(const n3_mesh *m, const n3_topology *t,
 /* The points of each patch at u = i / level, v = j / level, level >= 1, in rows of constant v, u
    ascending: (level + 1)(level + 2)/2 for each patch. On a side it is n3_edge_point from the
    canonical end, so that neighbours agree bit for bit, and with n3_mesh_refine; inside it is
-   within 64 eps of the largest coordinate in the net of n3_patch_point. 11 flops inside, 21 on
-   a side; what is larger than a cache goes past it. */
+   within 64 eps of the largest coordinate in the net of n3_patch_point (all roundings at their
+   worst: 350; the most met: 28). 11 flops inside, 21 on a side; what is larger than a cache goes
+   past it. */
 NAGATA3_API void n3_lattice_points(const n3_patch *patch, int first, int last, int level,
                                    n3_vec *point);
 
