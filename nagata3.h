@@ -2709,7 +2709,7 @@ NAGATA3_API void n3i_fit_chord(n3_vertex p, n3_vertex q, const n3_vec frame[2], 
     n3_vec d = n3i_over(n3_sub(q.x, p.x), size), sum = n3_add(p.n, q.n);
     n3_real x = n3_dot(d, frame[0]), y = n3_dot(d, frame[1]), s = n3i_sqrt(3), row[5];
     int i, k;
-    if (n3_len(sum) <= N3_OPPOSITE) return;
+    if (n3_dot(sum, sum) <= N3_OPPOSITE * N3_OPPOSITE) return;
     row[0] = x * x * x;
     row[1] = s * x * x * y;
     row[2] = s * x * y * y;
