@@ -852,7 +852,7 @@ static void net_scaled(void)
             b = build(&big, row % 3, -1);
             for (i = 0; i < a.nodes; i++)
                 CHECK_VEC(b.net[i], n3_mul(scale, a.net[i]),
-                          CONTRACTED * 32 * EPS * scale * reach(a.net, a.nodes), row);
+                          CONTRACTED * 32 * EPS * (double)scale * reach(a.net, a.nodes), row);
             for (i = 0; i < a.t.edges; i++) CHECK(a.flags[i] == b.flags[i], row);
             built_free(&a);
             built_free(&b);
