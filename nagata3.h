@@ -3723,11 +3723,12 @@ N3I_WIDE_API void n3i_batch(const n3_patch *patch, const int *parent, const n3_r
     int i, k, row, ok[N3I_BATCH];
     n3_vec way[N3I_BATCH][3];
     n3i_weights t;
-    n3i_weights_of(uv, count, what, &t);
+    if (N3I_WIDTH > 1 || what == N3I_NORMALS) n3i_weights_of(uv, count, what, &t);
     for (i = 0; i < count; i++) {
         n3_vec *to = what == N3I_NORMALS ? way[i] : out + size * i;
         n3i_xyz q[10], x[6];
-        if (what != N3I_NORMALS && !(t.c[9][i] < 0 || t.c[9][i] > 0)) {
+        int inside = N3I_WIDTH > 1 && (t.c[9][i] < 0 || t.c[9][i] > 0);
+        if (what != N3I_NORMALS && !inside) {
             n3i_plain_at(&patch[parent[i]], uv + 2 * i, what, to);
             continue;
         }
@@ -3751,9 +3752,7 @@ N3I_WIDE_API void n3i_batch(const n3_patch *patch, const int *parent, const n3_r
 NAGATA3_API void n3i_evaluate(const n3_patch *patch, const int *parent, const n3_real *uv,
                               int first, int last, int what, n3_vec *out)
 {
-    const int plain = N3I_WIDTH == 1 && what != N3I_NORMALS, size = what == N3I_JETS ? 6 : 1;
-    for (; plain && first < last; first++, out += size)
-        n3i_plain_at(&patch[parent[first]], uv + 2 * (size_t)first, what, out);
+    const int size = what == N3I_JETS ? 6 : 1;
     for (; first < last; first += N3I_BATCH, out += N3I_BATCH * size) {
         int count = last - first < N3I_BATCH ? last - first : N3I_BATCH;
         const int *p = parent + first;

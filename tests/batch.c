@@ -198,17 +198,21 @@ static void scattered(void)
         n3_patch p[PATCHES];
         n3_real uv[2 * ITEMS];
         int parent[ITEMS], i, k, first = (int)(row % 7), last = ITEMS - (int)(row % 5);
-        n3_vec x[ITEMS], n[ITEMS];
-        n3_jet j[ITEMS];
+        n3_vec x[ITEMS + 1], n[ITEMS + 1];
+        n3_jet j[ITEMS + 1];
         rng r = {(uint64_t)row};
         make_patches(row, p);
         for (i = 0; i < ITEMS; i++) {
             parent[i] = (int)(rng_next(&r) % PATCHES);
             dyadic_weights(&r, &uv[2 * i], &uv[2 * i + 1]);
         }
+        x[last - first] = n[last - first] = j[last - first].x = n3_v(1, 2, 3);
         n3_patch_points(p, parent, uv, first, last, x);
         n3_patch_jets(p, parent, uv, first, last, j);
         n3_patch_normals(p, parent, uv, first, last, n);
+        CHECK_SAME(x[last - first], n3_v(1, 2, 3), row); /* nothing behind the last */
+        CHECK_SAME(n[last - first], n3_v(1, 2, 3), row);
+        CHECK_SAME(j[last - first].x, n3_v(1, 2, 3), row);
         for (i = first; i < last; i++) {
             const n3_patch *q = &p[parent[i]];
             const n3_jet want = n3_patch_jet(q, uv[2 * i], uv[2 * i + 1]);
