@@ -609,7 +609,8 @@ NAGATA3_API n3i_end n3i_end_make(n3_vec n, n3_vec d, n3_vec b, const n3_options 
     return t;
 }
 
-/* From the clamped angles here and at the other end. */
+/* The handle, by (5.1.13) at the start and (5.1.14) at the end, in the direction of its tangent: from
+   the clamped angles here and at the other end. */
 NAGATA3_API n3_vec n3i_handle(n3i_end here, n3i_end other)
 {
     return n3_mul(other.tan / (here.tan + other.tan), here.reach);
@@ -2291,12 +2292,6 @@ N3I_WIDE_API n3i_wide n3i_wide_larger(n3i_wide a, n3i_wide b)
     return n3i_pick((n3i_mask)(b > a), b, a);
 }
 
-N3I_WIDE_API n3i_wide n3i_wide_largest(n3i_wide_vec a)
-{
-    return n3i_wide_larger(n3i_wide_larger(n3i_wide_abs(a.x), n3i_wide_abs(a.y)),
-                           n3i_wide_abs(a.z));
-}
-
 /* n3_unit and n3_len of a lane whose square neither overflows nor underflows; the others are not
    ok. */
 N3I_WIDE_API n3i_wide_vec n3i_wide_unit(n3i_wide_vec a, n3i_wide *length, n3i_mask *ok)
@@ -3269,7 +3264,7 @@ N3I_WIDE_API n3i_wide n3i_wide_inverse_size(const n3i_wide_vec q[10], n3i_mask *
 
 /* The unit normal along du x dv, if the square of that is above least; the lowest square. */
 N3I_WIDE_API n3i_wide_vec n3i_wide_facing(n3i_wide_vec du, n3i_wide_vec dv, n3i_wide least,
-                                         n3i_wide *lowest)
+                                          n3i_wide *lowest)
 {
     n3i_wide_vec n = n3i_wide_cross(du, dv);
     n3i_wide nn = n3i_wide_dot(n, n);
